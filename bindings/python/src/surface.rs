@@ -104,7 +104,7 @@ impl Surface {
         })
     }
 
-    /// Gradients at points, NaN where there is none.
+    /// Gradients at points, NaN where the height has no derivative.
     fn gradient<'py>(
         &self,
         py: Python<'py>,

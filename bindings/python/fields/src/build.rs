@@ -100,9 +100,9 @@ fn per_axis<T: Copy, const N: usize>(name: &str, numbers: &[T]) -> Result<[T; N]
     }
 }
 
-/// One kind in one number of dimensions. `$near` evaluates batches of the plain noise, `$far` of
-/// tiles and anchors: `lanes` compiles them for every SIMD level, `signed` only if there is no shape,
-/// `points` for single points.
+/// Builds a kind in one number of dimensions. `$near` is for batches of the noise as it is, `$far` for
+/// tiles and anchors: `lanes` compiles them for every SIMD level, `signed` does so for sums without
+/// a shape, `points` evaluates point by point.
 macro_rules! noise {
     ($n:literal, $noise:ident, $hessian:ident, $sum:ident, $place:ident, $tiles:tt, $near:ident, $far:ident) => {{
         let noise = *$noise;

@@ -41,7 +41,8 @@ pub enum Node {
     Power(Arc<Self>, u8),
     /// A field mapped from its range to [0, 1].
     Unit(Arc<Self>),
-    /// A field at points displaced by one field per axis, or by one with a seed of its own per axis.
+    /// A field at displaced points. One field displaces all axes, with another seed for each, or every
+    /// axis has its own field.
     Warp(Arc<Self>, Vec<Arc<Self>>, f32),
     /// A field at points times a frequency.
     Frequency(Arc<Self>, f32),

@@ -14,7 +14,7 @@ pub trait Jet<const N: usize>: Field<At<N>> + Send + Sync {
         false
     }
 
-    /// Returns value, gradient and Hessian, or zeros if there is no Hessian.
+    /// Returns value, gradient and Hessian; the Hessian is 0 unless [`has_hessian`](Self::has_hessian).
     fn jet(&self, p: At<N>) -> SampleHessian<At<N>> {
         let Sample { value, gradient } = self.sample(p);
         SampleHessian { value, gradient, hessian: [[0.0; N]; N] }

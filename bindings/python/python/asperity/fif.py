@@ -154,7 +154,7 @@ class Fif:
         return _made(self._fif.integral(y0))
 
     def derivative(self) -> Fif:
-        """The derivative as a function, a ``ValueError`` if there is none."""
+        """The derivative as a function, or a ``ValueError`` if the function is not differentiable."""
         return _made(self._fif.derivative())
 
     @property
@@ -306,7 +306,7 @@ class Surface:
         return Bounded(pairs[..., 0], pairs[..., 1])
 
     def gradient(self, points: npt.ArrayLike, *, threads: int | None = None) -> Float64Array:
-        """Gradients of the height at points, shape ``(..., 2)``; NaN where there is none."""
+        """Gradients of the height at points, shape ``(..., 2)``; NaN where it has no derivative."""
         flat, shape = _points("points", points, 2)
         return self._surface.gradient(flat, threads).reshape(*shape, 2)
 

@@ -18,7 +18,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import Literal, NamedTuple, Union, overload
+from typing import ClassVar, Literal, NamedTuple, Union, overload
 
 import numpy as np
 import numpy.typing as npt
@@ -353,10 +353,15 @@ class _Kind(Noise):
     """A kind of noise."""
 
     __slots__ = ()
+    _name: ClassVar[str]
+
+    def __init__(
+        self, seed: int = 0, *, frequency: float = 1.0, period: Period = None, anchor: Anchor = None
+    ) -> None:
+        self._make(seed, frequency, period, anchor)
 
     def _make(
         self,
-        name: str,
         seed: int,
         frequency: float,
         period: Period,
@@ -372,7 +377,7 @@ class _Kind(Noise):
         if period is not None and anchor is not None:
             raise ValueError("`period` and `anchor` exclude each other: move the anchor by whole periods")
         field = Field.kind(
-            name,
+            self._name,
             seed32(seed),
             period=_periods(period),
             anchor=_numbers(anchor),
@@ -405,44 +410,28 @@ class White(_Kind):
     """
 
     __slots__ = ()
-
-    def __init__(
-        self, seed: int = 0, *, frequency: float = 1.0, period: Period = None, anchor: Anchor = None
-    ) -> None:
-        self._make("white", seed, frequency, period, anchor)
+    _name = "white"
 
 
 class Value(_Kind):
     """Value noise: random lattice values, blended with quintic weights. Has a Hessian."""
 
     __slots__ = ()
-
-    def __init__(
-        self, seed: int = 0, *, frequency: float = 1.0, period: Period = None, anchor: Anchor = None
-    ) -> None:
-        self._make("value", seed, frequency, period, anchor)
+    _name = "value"
 
 
 class ValueCatmullRom(_Kind):
     """Value noise: random lattice values, blended by a Catmull-Rom spline over 4^N points."""
 
     __slots__ = ()
-
-    def __init__(
-        self, seed: int = 0, *, frequency: float = 1.0, period: Period = None, anchor: Anchor = None
-    ) -> None:
-        self._make("value_catmull_rom", seed, frequency, period, anchor)
+    _name = "value_catmull_rom"
 
 
 class PerlinClassic(_Kind):
     """Perlin noise of 1985: unit gradients and cubic weights. Has a Hessian."""
 
     __slots__ = ()
-
-    def __init__(
-        self, seed: int = 0, *, frequency: float = 1.0, period: Period = None, anchor: Anchor = None
-    ) -> None:
-        self._make("perlin_classic", seed, frequency, period, anchor)
+    _name = "perlin_classic"
 
 
 class Perlin(_Kind):
@@ -454,17 +443,14 @@ class Perlin(_Kind):
     """
 
     __slots__ = ()
-
-    def __init__(
-        self, seed: int = 0, *, frequency: float = 1.0, period: Period = None, anchor: Anchor = None
-    ) -> None:
-        self._make("perlin", seed, frequency, period, anchor)
+    _name = "perlin"
 
 
 class ValueGradient(_Kind):
     """Value-gradient noise: ``weight`` of value noise plus the rest of gradient noise. Has a Hessian."""
 
     __slots__ = ()
+    _name = "value_gradient"
 
     def __init__(
         self,
@@ -475,7 +461,7 @@ class ValueGradient(_Kind):
         period: Period = None,
         anchor: Anchor = None,
     ) -> None:
-        self._make("value_gradient", seed, frequency, period, anchor, weight=weight)
+        self._make(seed, frequency, period, anchor, weight=weight)
 
 
 class Simplex(_Kind):
@@ -486,6 +472,7 @@ class Simplex(_Kind):
     """
 
     __slots__ = ()
+    _name = "simplex"
 
     def __init__(
         self,
@@ -496,13 +483,14 @@ class Simplex(_Kind):
         period: Period = None,
         anchor: Anchor = None,
     ) -> None:
-        self._make("simplex", seed, frequency, period, anchor, classic=classic_radius)
+        self._make(seed, frequency, period, anchor, classic=classic_radius)
 
 
 class SparseConvolution(_Kind):
     """Sparse convolution noise: ``impulses`` per cell at random positions, standard deviation 1."""
 
     __slots__ = ()
+    _name = "sparse_convolution"
 
     def __init__(
         self,
@@ -515,7 +503,7 @@ class SparseConvolution(_Kind):
     ) -> None:
         if not 0 <= impulses < 2**32:
             raise ValueError(f"`impulses` must be between 1 and 4, got {impulses}")
-        self._make("sparse_convolution", seed, frequency, period, anchor, impulses=impulses)
+        self._make(seed, frequency, period, anchor, impulses=impulses)
 
 
 class Cellular(_Kind):
@@ -526,6 +514,7 @@ class Cellular(_Kind):
     """
 
     __slots__ = ()
+    _name = "cellular"
 
     def __init__(
         self,
@@ -538,18 +527,14 @@ class Cellular(_Kind):
         period: Period = None,
         anchor: Anchor = None,
     ) -> None:
-        self._make("cellular", seed, frequency, period, anchor, output=output, metric=metric, jitter=jitter)
+        self._make(seed, frequency, period, anchor, output=output, metric=metric, jitter=jitter)
 
 
 class Gaussian(_Kind):
     """Gaussian noise: values with the distribution N(0, 1) at every point. Has a Hessian."""
 
     __slots__ = ()
-
-    def __init__(
-        self, seed: int = 0, *, frequency: float = 1.0, period: Period = None, anchor: Anchor = None
-    ) -> None:
-        self._make("gaussian", seed, frequency, period, anchor)
+    _name = "gaussian"
 
 
 class Fbm(Noise):

@@ -16,7 +16,7 @@ pub struct Bake {
     /// fBm of this noise as a height field [default: gaussian].
     #[arg(long, group = "surface", value_parser = one_of(HEIGHTS))]
     pub noise: Option<NoiseKind>,
-    /// Bumps whose normals have this NDF, as in `tables`; there is no height map.
+    /// Bumps whose normals have this NDF, as in `tables`; without a height map.
     #[arg(long, group = "surface")]
     pub ndf: Option<String>,
     /// A fractal surface.

@@ -96,7 +96,7 @@ pub(super) struct Places {
 }
 
 impl Places {
-    /// Returns the places in one square, or why there is none.
+    /// Returns the places in one square, or the reason why no square holds both.
     pub(super) fn new(normal: &Texture, roughness: Option<&Texture>) -> Result<Self, &'static str> {
         let identity = DAffine2::IDENTITY;
         let Some(roughness) = roughness else {
