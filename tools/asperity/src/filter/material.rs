@@ -5,7 +5,7 @@ use std::sync::atomic::AtomicBool;
 use png::{BitDepth, ColorType, Encoder};
 use serde_json::{Value, json};
 
-use crate::cli::filter::Filter;
+use crate::cli::filter::{Filter, FilteredFormat};
 use crate::failure::Result;
 use crate::filter::container::Container;
 use crate::filter::edits::Edits;
@@ -164,7 +164,12 @@ impl<'a> Materials<'a> {
             factor: source.factor,
             places: source.places.clone(),
         };
-        let Some(texels) = maps.texels() else {
+        let multiple = match self.wanted.format {
+            // `KHR_texture_basisu` requires multiples of 4.
+            FilteredFormat::Uastc => 4,
+            FilteredFormat::Zstd => 1,
+        };
+        let Some(texels) = maps.texels(multiple) else {
             return Ok(Err("its roughness would need more than 8192 texels on a side".into()));
         };
         self.texels += texels.size[0] * texels.size[1];
@@ -211,7 +216,8 @@ impl<'a> Materials<'a> {
         let image = edits.image("ktx2", texture_file::encode(&stored, self.wanted.format)?);
         let texture = edits.texture(sampler, fallback, image);
         let anisotropy = anisotropic.then(|| {
-            let stored = rgba(&levels, direction);
+            let (_, main) = levels.texel(levels.count() - 1, 0).alpha2_along();
+            let stored = rgba(&levels, |texel| direction(texel, main));
             if self.wanted.png.is_some() {
                 files.add_levels(index, "anisotropy", 1.0, pngs(&stored)?);
             }
@@ -294,10 +300,18 @@ fn has(material: &Value, pointer: &str) -> bool {
 
 /// Returns direction and strength of an anisotropy: `α_t = α + (1 − α) strength²` along the
 /// direction of more variance, and `α` across.
-fn direction(texel: Texel) -> [u8; 4] {
+///
+/// A direction and its opposite are the same. The one on the side of `main` is stored, so that
+/// neighboring texels do not cancel when they are interpolated.
+fn direction(texel: Texel, main: [f32; 2]) -> [u8; 4] {
     let (alpha2, [x, y]) = texel.alpha2_along();
     let [along, across] = alpha2.map(f32::sqrt);
     let strength = ((along - across) / (1.0 - across).max(1e-6)).clamp(0.0, 1.0).sqrt();
+    let [x, y] = match x * main[0] + y * main[1] {
+        _ if strength == 0.0 => main,
+        ..0.0 => [-x, -y],
+        _ => [x, y],
+    };
     bytes([0.5 + 0.5 * x, 0.5 + 0.5 * y, strength])
 }
 

@@ -309,6 +309,30 @@ fn anisotropy_is_along_the_slopes() {
 }
 
 #[test]
+fn directions_of_neighbors_do_not_cancel() {
+    // Steep along v, with a little noise along u, so that the axis is to both sides of v.
+    let texel = |x: u32, y: u32| {
+        let noise = f64::from((x * 7_919 + y * 104_729 + x * y * 31) % 97) / 96.0 - 0.5;
+        let slopes = [0.4 * noise, if (x / 3 + y) % 2 == 0 { 0.7 } else { -0.7 }];
+        let up = 1.0 / (1.0 + slopes[0] * slopes[0] + slopes[1] * slopes[1]).sqrt();
+        let code = |n: f64| (127.5 + 127.5 * n).round() as u8;
+        [code(-slopes[0] * up), code(-slopes[1] * up), code(up)]
+    };
+    let (_, gltf) = filtered(&glb(&[png([64, 64], texel)], SLOPED), |wanted| wanted.anisotropy = true);
+    let value = gltf.list("materials")[0].pointer("/extensions/KHR_materials_anisotropy").unwrap();
+    let texture = value["anisotropyTexture"]["index"].as_u64().unwrap() as usize;
+    let image = gltf.list("textures")[texture].pointer("/extensions/KHR_texture_basisu/source");
+    let all = levels(&gltf, image.unwrap().as_u64().unwrap() as usize);
+    let up = all[0].1[1] > 127;
+    for (side, texels) in &all {
+        assert!(
+            texels.chunks(4).all(|texel| (texel[1] > 127) == up && texel[1].abs_diff(127) > 80),
+            "{side}"
+        );
+    }
+}
+
+#[test]
 fn files_without_normal_maps_are_copied() {
     let bytes = glb(&[stripes()], r#""materials":[{"name":"plain"}]"#);
     let (summary, gltf) = filtered(&bytes, |_| {});

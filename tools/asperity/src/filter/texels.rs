@@ -55,16 +55,15 @@ struct Slopes {
 }
 
 impl Maps {
-    /// Aligns the maps; `None` if that takes too many texels.
-    pub(super) fn texels(self) -> Option<Texels> {
+    /// Aligns the maps, with sides of a multiple; `None` if that takes too many texels.
+    pub(super) fn texels(self, multiple: usize) -> Option<Texels> {
         let Self { normal, scale, roughness, factor, places } = self;
         let mut size = density(&normal.image, places.normal);
         if let Some(map) = &roughness {
             let other = density(&map.image, places.roughness);
             size = [0, 1].map(|axis| f64::max(size[axis], other[axis]));
         }
-        // `KHR_texture_basisu` requires multiples of 4.
-        let size = size.map(|side| (side.round() as usize).next_multiple_of(4));
+        let size = size.map(|side| (side.round() as usize).next_multiple_of(multiple));
         if size.iter().any(|side| *side > MOST_SIDE) {
             return None;
         }
