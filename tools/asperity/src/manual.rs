@@ -1,4 +1,4 @@
-//! `asperity completions` and `asperity man`: what a shell and `man` know of the command line.
+//! `asperity completions` and `asperity man`: shell completions and the manual page.
 
 use clap::CommandFactory;
 use clap_complete::Shell;

@@ -17,8 +17,8 @@ use crate::progress;
 /// Rows computed at once; points depend on it, not on the number of threads.
 const SLAB: usize = 16;
 
-/// The largest number of samples: 8 GiB of values.
-const MOST_SAMPLES: u64 = 1 << 31;
+/// The most values and components of gradients: 8 GiB.
+const MOST_NUMBERS: u64 = 1 << 31;
 
 /// Values and gradients, `channels` numbers for each sample, row by row.
 struct Samples {
@@ -39,8 +39,9 @@ pub(crate) fn noise(wanted: &Noise, interrupted: &AtomicBool) -> Result<()> {
     let format = format(wanted)?;
     let [width, height] = wanted.size;
     let count = u64::from(width) * u64::from(height);
-    if count > MOST_SAMPLES {
-        return Err(format!("`--size`: {count} samples are too many (at most {MOST_SAMPLES})").into());
+    let most = MOST_NUMBERS / if wanted.gradient { 3 } else { 1 };
+    if count > most {
+        return Err(format!("`--size`: {count} samples are too many (at most {most})").into());
     }
     let (folder, name) = crate::output::split(&wanted.out)?;
     let output = Output::new(folder)?;

@@ -249,7 +249,7 @@ mod tests {
                 "`--samples` must be at most 2049 for a surface, got 5000",
             ),
             ("shader velvet", "part `velvet` does not exist ("),
-            ("shader kinds/perlin --language spirv", "SPIR-V is not text: give a file by --out"),
+            ("shader kinds/perlin --language spirv", "SPIR-V is binary and needs --out FILE"),
         ];
         let invocation = Invocation::of_process();
         for (line, said) in refused {

@@ -100,7 +100,7 @@ points up. An integral is smooth, so its surface has normals.")]
   asperity shader carpet --language hlsl --out carpet.hlsl
   asperity shader glint --language naga-oil
 
-Without parts, lists them with their functions. A part brings all it needs. GLSL has neither version nor main: include it in your shader.")]
+Without parts, lists them with their functions. A part includes the functions that it calls. GLSL has neither version nor main: include it in your shader.")]
     Shader(Shader),
     /// Export tables of noise CDFs, NDFs, normals and fractal interpolation functions.
     #[command(after_help = "Examples:

@@ -1,4 +1,4 @@
-//! Parsers of the values of options; their errors say what is expected.
+//! Parsers of the values of options. An error names the expected value.
 
 pub(super) fn assignment(text: &str) -> Result<(String, String), &'static str> {
     let parts = text.split_once('=').ok_or("must be NAME=VALUE, such as coat_roughness=0.1")?;

@@ -30,7 +30,7 @@ enum Format {
     Surface,
 }
 
-/// Writes the file, and prints what is known of the function.
+/// Writes the file, and prints extrema, dimension and integral of the function.
 pub(crate) fn fractal(wanted: &Fractal, interrupted: &AtomicBool) -> Result<()> {
     let name = wanted.out.display();
     let extension =

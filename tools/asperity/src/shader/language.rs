@@ -8,7 +8,7 @@ use naga::{Module, ShaderStage};
 use crate::cli::shader::Language;
 use crate::failure::Result;
 
-/// The entry point of a module of functions, which GLSL cannot do without.
+/// The entry point of a module of functions, required by GLSL.
 const EMPTY: &str = "\n@fragment\nfn main() {}\n";
 
 /// A validated module.

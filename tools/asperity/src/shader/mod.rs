@@ -23,7 +23,7 @@ pub fn shader(wanted: &Shader) -> Result<()> {
     };
     let text = text(&chosen, wanted.language, bindings)?;
     let Some(file) = &wanted.out else {
-        let text = String::from_utf8(text).map_err(|_| "SPIR-V is not text: give a file by --out")?;
+        let text = String::from_utf8(text).map_err(|_| "SPIR-V is binary and needs --out FILE")?;
         return Ok(progress::print(&format!("{}\n", text.trim_end()))?);
     };
     let (folder, name) = split(file)?;
