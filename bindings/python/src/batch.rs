@@ -26,7 +26,7 @@ pub(crate) fn value_error(message: impl ToString) -> PyErr {
 pub(crate) fn map<'py, T, const IN: usize, const OUT: usize>(
     py: Python<'py>,
     rows: &Rows<'py, T>,
-    threads: Option<usize>,
+    threads: Option<isize>,
     f: impl Fn([T; IN]) -> [T; OUT] + Sync,
 ) -> PyResult<Flat<'py, T>>
 where

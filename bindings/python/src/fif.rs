@@ -74,7 +74,7 @@ impl Fif {
         py: Python<'py>,
         x: Rows<'py, f64>,
         tolerance: f64,
-        threads: Option<usize>,
+        threads: Option<isize>,
     ) -> PyResult<Flat<'py, f64>> {
         map(py, &x, threads, |[x]: [f64; 1]| {
             let value = self.0.evaluate(x, tolerance);
@@ -88,7 +88,7 @@ impl Fif {
         py: Python<'py>,
         what: &str,
         ends: Rows<'py, f64>,
-        threads: Option<usize>,
+        threads: Option<isize>,
     ) -> PyResult<Flat<'py, f64>> {
         let triple = |e: asperity_fif::Estimate| [e.value, e.bound, e.condition];
         match what {

@@ -32,10 +32,10 @@ pub(crate) fn filter(
         _ => return Err(value_error(format!("`format` must be uastc or zstd, got `{format}`"))),
     };
     let wanted = Filter { model, out, format, anisotropy, png, report };
-    let filtered = parallel::until_signal(py, |stop| {
+    let filtered = parallel::on_all_cores(py, |stop| {
         asperity::filter::filter(&wanted, stop).map_err(|error| error.to_string())
-    })?;
-    let Summary { materials, files } = filtered.map_err(value_error)?;
+    });
+    let Summary { materials, files } = parallel::unless_signal(filtered)?.map_err(value_error)?;
     let materials = materials.into_iter().map(|FilteredMaterial { index, name, outcome, error }| {
         let (levels, why) = match outcome {
             Ok(levels) => (Some(levels), None),

@@ -137,7 +137,7 @@ impl Ndf {
         py: Python<'py>,
         method: &str,
         rows: Rows<'py>,
-        threads: Option<usize>,
+        threads: Option<isize>,
     ) -> PyResult<Flat<'py>> {
         let ndf = &self.0;
         match method {
@@ -181,7 +181,7 @@ impl Ndf {
         py: Python<'py>,
         method: &str,
         rows: &Rows<'py>,
-        threads: Option<usize>,
+        threads: Option<isize>,
     ) -> PyResult<Flat<'py>> {
         // The tables of a map take a while.
         let ndf = py.detach(|| self.0.0.microfacet());

@@ -22,9 +22,24 @@ const SMALL: usize = 8192;
 type Arrays<'py> =
     (Bound<'py, PyArray1<f32>>, Option<Bound<'py, PyArray1<f32>>>, Option<Bound<'py, PyArray1<f32>>>);
 
+/// The most nested terms: every transform has a buffer on the stack.
+const DEEPEST: usize = 128;
+
+/// Deeper fields are not evaluated on the calling thread, whose stack may be small.
+const SHALLOW: usize = 16;
+
+/// The most terms, as all are evaluated at every point.
+const MOST_TERMS: usize = 4096;
+
 /// A noise, a sum of octaves, or a transform of other fields.
 #[pyclass(frozen, module = "asperity._asperity")]
-pub(crate) struct Field(Arc<Node>);
+pub(crate) struct Field {
+    node: Arc<Node>,
+    /// The number of nested terms.
+    depth: usize,
+    /// The number of terms; a field that is used twice counts twice.
+    terms: usize,
+}
 
 fn value_error(message: impl ToString) -> PyErr {
     PyValueError::new_err(message.to_string())
@@ -32,23 +47,44 @@ fn value_error(message: impl ToString) -> PyErr {
 
 impl Field {
     fn node(&self) -> Arc<Node> {
-        Arc::clone(&self.0)
+        Arc::clone(&self.node)
     }
 
     fn new(node: Node) -> Self {
-        Self(Arc::new(node))
+        Self { node: Arc::new(node), depth: 1, terms: 1 }
     }
 
-    /// The sum of octaves of the field.
-    fn summed(&self, sum: Sum, period: Option<Vec<u32>>, anchor: Option<Vec<f64>>) -> PyResult<Self> {
-        if self.0.is_tiled() {
+    /// A transform of other fields.
+    fn over<'a>(node: Node, fields: impl IntoIterator<Item = &'a Self>) -> PyResult<Self> {
+        let (mut depth, mut terms) = (1, 1_usize);
+        for field in fields {
+            depth = depth.max(field.depth + 1);
+            terms = terms.saturating_add(field.terms);
+        }
+        if depth > DEEPEST {
+            return Err(value_error(format!(
+                "a noise must have at most {DEEPEST} nested terms, got {depth}"
+            )));
+        }
+        if terms > MOST_TERMS {
+            return Err(value_error(format!("a noise must have at most {MOST_TERMS} terms, got {terms}")));
+        }
+        Ok(Self { node: Arc::new(node), depth, terms })
+    }
+
+    /// The sum of octaves of the field. Footprint and anchor are in units of the points.
+    fn summed(&self, mut sum: Sum, period: Option<Vec<u32>>, anchor: Option<Vec<f64>>) -> PyResult<Self> {
+        if self.node.is_tiled() {
             return Err(value_error("the field of a sum must not be tiled: pass `period` to the sum"));
         }
-        match &*self.0 {
+        match &*self.node {
             // The octaves of a kind have their own seeds, also at another frequency.
             Node::Frequency(field, frequency) => {
-                let field = Self(Arc::clone(field)).summed(sum, period, anchor)?;
-                Ok(Self::new(Node::Frequency(field.node(), *frequency)))
+                sum.footprint *= frequency.abs();
+                let anchor = anchor.map(|anchor| anchor.iter().map(|x| x * f64::from(*frequency)).collect());
+                let inner = Self { node: Arc::clone(field), depth: self.depth - 1, terms: self.terms - 1 };
+                let field = inner.summed(sum, period, anchor)?;
+                Self::over(Node::Frequency(field.node(), *frequency), [&field])
             }
             Node::Noise { kind, sum: None, anchor: None, .. } => {
                 Ok(Self::new(Node::Noise { kind: *kind, sum: Some(sum), periods: period, anchor }))
@@ -56,7 +92,7 @@ impl Field {
             _ if period.is_some() || anchor.is_some() => {
                 Err(value_error("only a sum of a kind of noise has a `period` or an `anchor`"))
             }
-            _ => Ok(Self::new(Node::Sum(self.node(), sum))),
+            _ => Self::over(Node::Sum(self.node(), sum), [self]),
         }
     }
 }
@@ -130,48 +166,49 @@ impl Field {
         self.summed(sum, period, anchor)
     }
 
-    fn add(&self, other: &Self) -> Self {
-        Self::new(Node::Add(self.node(), other.node()))
+    fn add(&self, other: &Self) -> PyResult<Self> {
+        Self::over(Node::Add(self.node(), other.node()), [self, other])
     }
 
-    fn multiply(&self, other: &Self) -> Self {
-        Self::new(Node::Multiply(self.node(), other.node()))
+    fn multiply(&self, other: &Self) -> PyResult<Self> {
+        Self::over(Node::Multiply(self.node(), other.node()), [self, other])
     }
 
-    fn blend(&self, other: &Self, weight: &Self) -> Self {
-        Self::new(Node::Blend(self.node(), other.node(), weight.node()))
+    fn blend(&self, other: &Self, weight: &Self) -> PyResult<Self> {
+        Self::over(Node::Blend(self.node(), other.node(), weight.node()), [self, other, weight])
     }
 
-    fn clamp(&self, low: f32, high: f32) -> Self {
-        Self::new(Node::Clamp(self.node(), low, high))
+    fn clamp(&self, low: f32, high: f32) -> PyResult<Self> {
+        Self::over(Node::Clamp(self.node(), low, high), [self])
     }
 
-    fn scale_bias(&self, factor: f32, offset: f32) -> Self {
-        Self::new(Node::ScaleBias(self.node(), factor, offset))
+    fn scale_bias(&self, factor: f32, offset: f32) -> PyResult<Self> {
+        Self::over(Node::ScaleBias(self.node(), factor, offset), [self])
     }
 
-    fn power(&self, exponent: u8) -> Self {
-        Self::new(Node::Power(self.node(), exponent))
+    fn power(&self, exponent: u8) -> PyResult<Self> {
+        Self::over(Node::Power(self.node(), exponent), [self])
     }
 
-    fn unit(&self) -> Self {
-        Self::new(Node::Unit(self.node()))
+    fn unit(&self) -> PyResult<Self> {
+        Self::over(Node::Unit(self.node()), [self])
     }
 
-    fn at_frequency(&self, frequency: f32) -> Self {
-        Self::new(Node::Frequency(self.node(), frequency))
+    fn at_frequency(&self, frequency: f32) -> PyResult<Self> {
+        Self::over(Node::Frequency(self.node(), frequency), [self])
     }
 
     fn warp(&self, by: Vec<PyRef<'_, Self>>, strength: f32) -> PyResult<Self> {
         if !strength.is_finite() {
             return Err(value_error(format!("`strength` must be finite, got {strength}")));
         }
-        Ok(Self::new(Node::Warp(self.node(), by.iter().map(|field| field.node()).collect(), strength)))
+        let node = Node::Warp(self.node(), by.iter().map(|field| field.node()).collect(), strength);
+        Self::over(node, by.iter().map(|field| &**field).chain([self]))
     }
 
     /// The field with other seeds.
     fn reseeded(&self, by: u32) -> Self {
-        Self::new(self.0.reseeded(by))
+        Self { node: Arc::new(self.node.reseeded(by)), ..*self }
     }
 
     /// Lower and upper bound of the values.
@@ -184,10 +221,10 @@ impl Field {
             Ok((low, high))
         }
         match dimension {
-            1 => range::<1>(&self.0),
-            2 => range::<2>(&self.0),
-            3 => range::<3>(&self.0),
-            4 => range::<4>(&self.0),
+            1 => range::<1>(&self.node),
+            2 => range::<2>(&self.node),
+            3 => range::<3>(&self.node),
+            4 => range::<4>(&self.node),
             _ => Err(dimension_error(dimension)),
         }
     }
@@ -198,15 +235,15 @@ impl Field {
         py: Python<'py>,
         points: PyReadonlyArray2<'py, f32>,
         order: u8,
-        threads: Option<usize>,
+        threads: Option<isize>,
     ) -> PyResult<Arrays<'py>> {
         let dimension = points.shape()[1];
         let numbers = points.as_slice().map_err(value_error)?;
         match dimension {
-            1 => evaluate::<1>(py, &self.0, numbers, order, threads),
-            2 => evaluate::<2>(py, &self.0, numbers, order, threads),
-            3 => evaluate::<3>(py, &self.0, numbers, order, threads),
-            4 => evaluate::<4>(py, &self.0, numbers, order, threads),
+            1 => evaluate::<1>(py, self, numbers, order, threads),
+            2 => evaluate::<2>(py, self, numbers, order, threads),
+            3 => evaluate::<3>(py, self, numbers, order, threads),
+            4 => evaluate::<4>(py, self, numbers, order, threads),
             _ => Err(dimension_error(dimension)),
         }
     }
@@ -219,13 +256,13 @@ impl Field {
         step: Vec<f32>,
         origin: Vec<f32>,
         order: u8,
-        threads: Option<usize>,
+        threads: Option<isize>,
     ) -> PyResult<Arrays<'py>> {
         match size.len() {
-            1 => grid::<1>(py, &self.0, &size, &step, &origin, order, threads),
-            2 => grid::<2>(py, &self.0, &size, &step, &origin, order, threads),
-            3 => grid::<3>(py, &self.0, &size, &step, &origin, order, threads),
-            4 => grid::<4>(py, &self.0, &size, &step, &origin, order, threads),
+            1 => grid::<1>(py, self, &size, &step, &origin, order, threads),
+            2 => grid::<2>(py, self, &size, &step, &origin, order, threads),
+            3 => grid::<3>(py, self, &size, &step, &origin, order, threads),
+            4 => grid::<4>(py, self, &size, &step, &origin, order, threads),
             dimension => Err(dimension_error(dimension)),
         }
     }
@@ -237,20 +274,21 @@ fn dimension_error(dimension: usize) -> PyErr {
 
 fn evaluate<'py, const N: usize>(
     py: Python<'py>,
-    node: &Node,
+    noise: &Field,
     numbers: &[f32],
     order: u8,
-    threads: Option<usize>,
+    threads: Option<isize>,
 ) -> PyResult<Arrays<'py>>
 where
     At<N>: Space<N>,
 {
-    let field = built::<N>(node, order)?;
+    let field = built::<N>(&noise.node, order)?;
     let points = points::<N>(numbers);
     let mut buffers = Buffers::new::<N>(points.len(), order)?;
     let pieces = points.chunks(PIECE).zip(buffers.pieces::<N>(PIECE)).collect();
     let threads = parallel::count(threads)?;
-    parallel::for_each(py, threads, points.len() <= SMALL, pieces, |(points, output)| {
+    let small = points.len() <= SMALL && noise.depth <= SHALLOW;
+    parallel::for_each(py, threads, small, pieces, |(points, output)| {
         list(&*field, points, output);
     })?;
     Ok(buffers.into_arrays(py))
@@ -258,17 +296,17 @@ where
 
 fn grid<'py, const N: usize>(
     py: Python<'py>,
-    node: &Node,
+    noise: &Field,
     size: &[usize],
     step: &[f32],
     origin: &[f32],
     order: u8,
-    threads: Option<usize>,
+    threads: Option<isize>,
 ) -> PyResult<Arrays<'py>>
 where
     At<N>: Space<N>,
 {
-    let field = built::<N>(node, order)?;
+    let field = built::<N>(&noise.node, order)?;
     let axes = |name: &str, numbers: &[f32]| -> PyResult<At<N>> {
         let count = numbers.len();
         let message = || value_error(format!("`{name}` must have {N} numbers, got {count}"));
@@ -278,7 +316,7 @@ where
     let grid = Grid { origin: axes("origin", origin)?, step: axes("step", step)?, size };
     let mut buffers = Buffers::new::<N>(grid.len(), order)?;
     let threads = parallel::count(threads)?;
-    let small = grid.len() <= SMALL;
+    let small = grid.len() <= SMALL && noise.depth <= SHALLOW;
     let slab = size[..N - 1].iter().product::<usize>().max(1);
     let height = if small { size[N - 1].max(1) } else { PIECE.div_ceil(slab) };
     let starts = (0..size[N - 1]).step_by(height);

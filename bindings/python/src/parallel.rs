@@ -16,6 +16,9 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 /// How often signals are checked.
 const PERIOD: Duration = Duration::from_millis(20);
 
+/// The stack of a thread: transforms of noise that are nested have a buffer each.
+const STACK: usize = 64 << 20;
+
 /// Pools by process and number of threads.
 type Pools = HashMap<(u32, usize), Arc<ThreadPool>>;
 
@@ -23,10 +26,12 @@ type Pools = HashMap<(u32, usize), Arc<ThreadPool>>;
 static POOLS: Mutex<Option<Pools>> = Mutex::new(None);
 
 /// Returns the number of threads to use, all cores by default.
-pub(crate) fn count(threads: Option<usize>) -> PyResult<usize> {
+pub(crate) fn count(threads: Option<isize>) -> PyResult<usize> {
     match threads {
-        Some(0) => Err(PyValueError::new_err("`threads` must be at least 1, got 0")),
-        Some(threads) => Ok(threads.min(1024)),
+        Some(threads @ ..1) => {
+            Err(PyValueError::new_err(format!("`threads` must be at least 1, got {threads}")))
+        }
+        Some(threads) => Ok(threads.unsigned_abs().min(1024)),
         None => Ok(thread::available_parallelism().map_or(1, NonZero::get)),
     }
 }
@@ -37,7 +42,7 @@ fn pool(threads: usize) -> PyResult<Arc<ThreadPool>> {
     if let Some(pool) = pools.get(&(process::id(), threads)) {
         return Ok(Arc::clone(pool));
     }
-    let pool = ThreadPoolBuilder::new().num_threads(threads).build();
+    let pool = ThreadPoolBuilder::new().num_threads(threads).stack_size(STACK).build();
     let pool = Arc::new(pool.map_err(|error| PyOSError::new_err(error.to_string()))?);
     pools.insert((process::id(), threads), Arc::clone(&pool));
     Ok(pool)
@@ -78,10 +83,29 @@ pub(crate) fn until_signal<R: Send>(
     py: Python<'_>,
     work: impl FnOnce(&AtomicBool) -> R + Send,
 ) -> PyResult<R> {
-    match with_signals(py, work) {
+    unless_signal(with_signals(py, work))
+}
+
+/// Returns a result, or the exception in its place.
+pub(crate) fn unless_signal<R>(outcome: (Option<R>, Option<PyErr>)) -> PyResult<R> {
+    match outcome {
         (_, Some(signal)) => Err(signal),
         (Some(result), None) => Ok(result),
         (None, None) => Err(panicked()),
+    }
+}
+
+/// Runs work on the threads of this process, as [`with_signals`] does.
+///
+/// Without a pool of its own, work would use the pool of the parent process after a fork, which has
+/// no threads there.
+pub(crate) fn on_all_cores<R: Send>(
+    py: Python<'_>,
+    work: impl FnOnce(&AtomicBool) -> R + Send,
+) -> (Option<R>, Option<PyErr>) {
+    match count(None).and_then(pool) {
+        Ok(pool) => with_signals(py, |stop| pool.install(|| work(stop))),
+        Err(error) => (None, Some(error)),
     }
 }
 
@@ -98,10 +122,14 @@ pub(crate) fn with_signals<R: Send>(
         thread::scope(|scope| {
             let (done, finished) = mpsc::channel::<()>();
             let stop = &stop;
-            let worker = scope.spawn(move || {
+            let spawned = thread::Builder::new().stack_size(STACK).spawn_scoped(scope, move || {
                 let _done = done;
                 work(stop)
             });
+            let worker = match spawned {
+                Ok(worker) => worker,
+                Err(error) => return (None, Some(PyOSError::new_err(error.to_string()))),
+            };
             let mut signal = None;
             while let Err(RecvTimeoutError::Timeout) = finished.recv_timeout(PERIOD) {
                 if signal.is_none()

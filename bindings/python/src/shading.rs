@@ -109,21 +109,21 @@ impl Bsdf {
     }
 
     /// f of rows of `wo` and `wi`.
-    fn eval<'py>(&self, py: Python<'py>, rows: Rows<'py>, threads: Option<usize>) -> PyResult<Flat<'py>> {
+    fn eval<'py>(&self, py: Python<'py>, rows: Rows<'py>, threads: Option<isize>) -> PyResult<Flat<'py>> {
         map(py, &rows, threads, |[a, b, c, d, e, f]: [f32; 6]| {
             self.0.eval(Vec3::new(a, b, c), Vec3::new(d, e, f)).to_array()
         })
     }
 
     /// The density of `sample` of rows of `wo` and `wi`.
-    fn pdf<'py>(&self, py: Python<'py>, rows: Rows<'py>, threads: Option<usize>) -> PyResult<Flat<'py>> {
+    fn pdf<'py>(&self, py: Python<'py>, rows: Rows<'py>, threads: Option<isize>) -> PyResult<Flat<'py>> {
         map(py, &rows, threads, |[a, b, c, d, e, f]: [f32; 6]| {
             [self.0.pdf(Vec3::new(a, b, c), Vec3::new(d, e, f))]
         })
     }
 
     /// Samples of rows of `wo`, `uc` and `u`: `wi`, `eval_cos`, pdf, and the kind; 0 without a sample.
-    fn sample<'py>(&self, py: Python<'py>, rows: Rows<'py>, threads: Option<usize>) -> PyResult<Flat<'py>> {
+    fn sample<'py>(&self, py: Python<'py>, rows: Rows<'py>, threads: Option<isize>) -> PyResult<Flat<'py>> {
         map(py, &rows, threads, |[a, b, c, uc, u, v]: [f32; 6]| {
             let Some(BsdfSample { wi, eval_cos, pdf, kind }) =
                 self.0.sample(Vec3::new(a, b, c), uc, Vec2::new(u, v))

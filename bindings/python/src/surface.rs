@@ -91,7 +91,7 @@ impl Surface {
         py: Python<'py>,
         points: Rows<'py, f64>,
         tolerance: f64,
-        threads: Option<usize>,
+        threads: Option<isize>,
     ) -> PyResult<Flat<'py, f64>> {
         map(py, &points, threads, |[x, y]: [f64; 2]| {
             let Bounded { value, bound } = match &self.0 {
@@ -109,7 +109,7 @@ impl Surface {
         &self,
         py: Python<'py>,
         points: Rows<'py, f64>,
-        threads: Option<usize>,
+        threads: Option<isize>,
     ) -> PyResult<Flat<'py, f64>> {
         map(py, &points, threads, |[x, y]: [f64; 2]| {
             let gradient = match &self.0 {
@@ -129,7 +129,7 @@ impl Surface {
         rays: Rows<'py, f64>,
         t: [f64; 2],
         tolerance: f64,
-        threads: Option<usize>,
+        threads: Option<isize>,
     ) -> PyResult<Flat<'py, f64>> {
         let within = Interval::new(t[0], t[1]);
         map(py, &rays, threads, |[ox, oy, oz, dx, dy, dz]: [f64; 6]| {

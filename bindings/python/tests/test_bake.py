@@ -1,12 +1,31 @@
 """Baked textures as arrays."""
 
+import os
+import signal
 import subprocess
 import sys
+import time
 
 import numpy as np
 import pytest
 
 import asperity
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="the platform does not fork")
+@pytest.mark.filterwarnings("ignore::DeprecationWarning")
+def test_a_forked_process_bakes():
+    asperity.bake(noise="perlin", size=64)
+    child = os.fork()
+    if child == 0:
+        os._exit(0 if "normal" in asperity.bake(noise="perlin", size=64) else 1)
+    deadline, status = time.monotonic() + 30, (0, 0)
+    while status[0] == 0 and time.monotonic() < deadline:
+        status = os.waitpid(child, os.WNOHANG)
+        time.sleep(0.05)
+    if status[0] == 0:
+        os.kill(child, signal.SIGKILL)
+    assert status == (child, 0)
 
 
 def test_maps_have_the_texels_of_the_files(tmp_path):

@@ -188,12 +188,61 @@ def test_curl_has_no_divergence():
         (lambda: Perlin(1, period=0)(np.zeros((1, 2))), "`periods[0]` must be between 1 and 2097152, got 0"),
         (lambda: Perlin(1).warp([Value(1)] * 3, 1)(np.zeros((1, 2))), "`by` must be one field or 2 in 2-D, got 3"),
         (lambda: Perlin(1).warp(Value(1), np.inf), "`strength` must be finite, got inf"),
+        (lambda: Perlin(1.5), "`seed` must be an integer or a list of integers, got 1.5"),
+        (lambda: Perlin(1).grid(4.5, 1), "`shape` must be an integer or a list of integers, got 4.5"),
+        (lambda: Perlin(1)(np.zeros((2, 2)), threads=-1), "`threads` must be at least 1, got -1"),
+        (lambda: nested(129), "a noise must have at most 128 nested terms, got 129"),
+        (lambda: doubled(12), "a noise must have at most 4096 terms, got 8191"),
     ],
 )
 def test_errors(call, message):
     with pytest.raises(ValueError) as error:
         call()
     assert str(error.value) == message
+
+
+def nested(depth):
+    field = Perlin(0)
+    for _ in range(depth - 1):
+        field = field * Perlin(1)
+    return field
+
+
+def doubled(times):
+    field = Perlin(0)
+    for _ in range(times):
+        field = field + field
+    return field
+
+
+@pytest.mark.parametrize("count", [10, 20_000])
+def test_the_deepest_noise_is_evaluated(count):
+    points = np.full((count, 4), 0.3, np.float32)
+    blended, warped = Perlin(1), Perlin(1)
+    for _ in range(127):
+        blended = blended.blend(Perlin(2), Perlin(3))
+        warped = Perlin(2).warp([warped] + 3 * [Perlin(3)], 0.1)
+    for field in (nested(128), blended, warped):
+        assert np.isfinite(field(points, with_gradient=True, threads=2).gradient).all()
+
+
+def test_anchor_and_footprint_are_in_units_of_the_points():
+    points = scattered(1000, 2)
+    for near, all_ in [
+        (Perlin(1, frequency=2, anchor=16), Perlin(1, frequency=2)),
+        (Fbm(Perlin(1, frequency=2), octaves=3, anchor=16), Fbm(Perlin(1, frequency=2), octaves=3)),
+        (Fbm(Perlin(1), octaves=3, frequency=2, anchor=16), Fbm(Perlin(1), octaves=3, frequency=2)),
+    ]:
+        assert np.allclose(near(points), all_(points + 16), atol=1e-3)
+    wide = Fbm(Perlin(1), footprint=0.25)(8 * points)
+    for finer in (Fbm(Perlin(1, frequency=8), footprint=0.25 / 8), Fbm(Perlin(1), frequency=8, footprint=0.25 / 8)):
+        assert np.array_equal(finer(points), wide)
+
+
+def test_numpy_integers_are_integers():
+    four = np.int64(4)
+    assert np.array_equal(Perlin(np.uint8(1), period=four).grid(four, 0.3), Perlin(1, period=4).grid((4,), 0.3))
+    assert np.array_equal(Perlin(1, anchor=np.float32(8)).grid(4, 0.3), Perlin(1, anchor=8).grid(4, 0.3))
 
 
 def test_float32_is_not_copied():

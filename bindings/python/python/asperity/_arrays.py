@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Any
+import operator
+from collections.abc import Iterable, Sequence
+from typing import Any, SupportsIndex
 
 import numpy as np
 import numpy.typing as npt
@@ -41,11 +43,20 @@ def flat64(name: str, numbers: npt.ArrayLike) -> tuple[Float64Array, tuple[int, 
     return np.require(array, np.float64, ("C", "A")).reshape(-1), array.shape
 
 
-def seed32(seed: int) -> int:
+def integers(name: str, numbers: SupportsIndex | Sequence[SupportsIndex]) -> list[int]:
+    """An integer, or a list of integers."""
+    try:
+        return [operator.index(number) for number in (numbers if isinstance(numbers, Iterable) else [numbers])]
+    except TypeError:
+        raise ValueError(f"`{name}` must be an integer or a list of integers, got {numbers!r}") from None
+
+
+def seed32(seed: SupportsIndex) -> int:
     """A seed of 32 bits."""
-    if not 0 <= seed < 2**32:
+    (number,) = integers("seed", seed)
+    if not 0 <= number < 2**32:
         raise ValueError(f"`seed` must be between 0 and 4294967295, got {seed}")
-    return int(seed)
+    return number
 
 
 def joined(*arguments: tuple[str, npt.ArrayLike, int]) -> tuple[Float32Array, tuple[int, ...]]:

@@ -44,8 +44,8 @@ __all__ = [
 class Ndf:
     """A normal distribution function D with its bijection T from Gaussian pairs to normals.
 
-    Every method takes arrays of any shape, broadcasts them, and accepts every number: no input
-    raises but a wrong shape. ``threads`` is the number of threads, all cores by default.
+    Every method takes arrays of any shape, broadcasts them, and accepts every number; a wrong
+    shape is a ``ValueError``. ``threads`` is the number of threads, all cores by default.
     """
 
     __slots__ = ("_ndf", "_text")
@@ -202,7 +202,7 @@ def from_array(
     """A distribution from a gray image of the (x, y) disk, shape ``(height, width)``.
 
     The first row is the top, y = 1, as in an image. Texels outside the unit disk are ignored, and the
-    scale does not matter. ``measure`` tells what a value is proportional to: D, or D cos θ.
+    scale does not matter. With the ``measure`` ``"normals"`` values are proportional to D, with ``"solid_angle"`` to D cos θ.
     """
     array = np.require(real("texels", texels), np.float32, ("C", "A"))
     if array.ndim != 2:

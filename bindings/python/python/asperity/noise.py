@@ -23,7 +23,7 @@ from typing import ClassVar, Literal, NamedTuple, Union, overload
 import numpy as np
 import numpy.typing as npt
 
-from ._arrays import Float32Array, rows, seed32
+from ._arrays import Float32Array, integers, rows, seed32
 from ._asperity import Field
 
 __all__ = [
@@ -222,7 +222,7 @@ class Noise:
         ``(depth, height, width)`` a volume. ``step`` and ``origin`` are in the order x, y, z, w. The
         point of index ``[j, i]`` is ``origin + step * (i, j)``.
         """
-        size = (shape,) if isinstance(shape, int) else tuple(int(n) for n in shape)
+        size = tuple(integers("shape", shape))
         if any(n < 0 or n >= 2**31 for n in size):
             raise ValueError(f"`shape` must have numbers from 0 to 2147483647, got {size}")
         order = _order(with_gradient, with_hessian)
@@ -333,20 +333,21 @@ def _axes(name: str, numbers: float | Sequence[float], dimension: int) -> list[f
     return [float(x) for x in axes]  # type: ignore[union-attr]
 
 
-def _numbers(numbers: float | Sequence[float] | None) -> list[float] | None:
-    if numbers is None:
+def _anchor(anchor: Anchor, frequency: float) -> list[float] | None:
+    """The anchor in cells, one number for all axes or one for each."""
+    if anchor is None:
         return None
-    return [float(numbers)] if isinstance(numbers, (int, float)) else [float(x) for x in numbers]
+    return [float(x) * frequency for x in np.atleast_1d(anchor)]
 
 
 def _periods(periods: Period) -> list[int] | None:
     if periods is None:
         return None
-    numbers = [periods] if isinstance(periods, int) else list(periods)
+    numbers = integers("period", periods)
     for axis, period in enumerate(numbers):
         if not 0 <= period < 2**32:
             raise ValueError(f"`periods[{axis}]` must be between 1 and 2097152, got {period}")
-    return [int(period) for period in numbers]
+    return numbers
 
 
 class _Kind(Noise):
@@ -380,7 +381,7 @@ class _Kind(Noise):
             self._name,
             seed32(seed),
             period=_periods(period),
-            anchor=_numbers(anchor),
+            anchor=_anchor(anchor, frequency),
             weight=weight,
             impulses=impulses,
             output=output,
@@ -405,8 +406,8 @@ class White(_Kind):
     """White noise: one uniform value in [-1, 1] per cell.
 
     ``frequency`` is in cells per unit of the points. ``period`` makes the noise repeat after that
-    many cells, one number for all axes or one for each. ``anchor`` moves the origin to a far place
-    without a loss of precision: the value at p is the value of the noise at anchor + p.
+    many cells, one number for all axes or one for each. ``anchor`` is a far place, in units of the
+    points, whose surroundings keep their precision: the value at p is the value of the noise at anchor + p.
     """
 
     __slots__ = ()
@@ -438,8 +439,8 @@ class Perlin(_Kind):
     """Improved Perlin noise of 2002, in [-1, 1]. Has a Hessian.
 
     ``frequency`` is in cells per unit of the points. ``period`` makes the noise repeat after that
-    many cells, one number for all axes or one for each. ``anchor`` moves the origin to a far place
-    without a loss of precision: the value at p is the value of the noise at anchor + p.
+    many cells, one number for all axes or one for each. ``anchor`` is a far place, in units of the
+    points, whose surroundings keep their precision: the value at p is the value of the noise at anchor + p.
     """
 
     __slots__ = ()
@@ -540,12 +541,12 @@ class Gaussian(_Kind):
 class Fbm(Noise):
     """Fractional Brownian motion: a sum of octaves of a noise, with variance 1 by default.
 
-    The noise is a kind, whose octaves have seeds of their own, or any other noise, whose octaves are
-    the same function at other places. ``octaves`` is a real number, all by default; a fraction fades
+    The noise is a kind, and each octave has another seed, or it is any other noise, and the octaves
+    are the same function at other places. ``octaves`` is a real number, all by default; a fraction fades
     in the last octave. ``lacunarity`` is the ratio of frequencies, 2.17 and in tiles 2 by default,
     and ``gain`` the ratio of amplitudes. ``shape`` is applied to every octave. ``rotation="aligned"``
     is faster on grids. Octaves that a pixel of the width ``footprint`` cannot resolve are replaced by
-    their mean. ``period`` and ``anchor`` are as in :class:`Perlin`.
+    their mean; ``footprint`` is in units of the points. ``period`` and ``anchor`` are as in :class:`Perlin`.
     """
 
     __slots__ = ()
@@ -637,9 +638,9 @@ def _sum(
         normalization=normalization,
         rotation=rotation,
         feedback=feedback,
-        footprint=footprint,
+        footprint=footprint * abs(frequency),
         period=_periods(period),
-        anchor=_numbers(anchor),
+        anchor=_anchor(anchor, frequency),
     )
     return _with_frequency(field, frequency)
 
