@@ -313,7 +313,7 @@ fn directions_of_neighbors_do_not_cancel() {
     // Steep along v, with a little noise along u, so that the axis is to both sides of v.
     let texel = |x: u32, y: u32| {
         let noise = f64::from((x * 7_919 + y * 104_729 + x * y * 31) % 97) / 96.0 - 0.5;
-        let slopes = [0.4 * noise, if (x / 3 + y) % 2 == 0 { 0.7 } else { -0.7 }];
+        let slopes = [0.4 * noise, if (x / 3 + y).is_multiple_of(2) { 0.7 } else { -0.7 }];
         let up = 1.0 / (1.0 + slopes[0] * slopes[0] + slopes[1] * slopes[1]).sqrt();
         let code = |n: f64| (127.5 + 127.5 * n).round() as u8;
         [code(-slopes[0] * up), code(-slopes[1] * up), code(up)]
