@@ -248,6 +248,7 @@ fn samples_of_glints_have_their_density_whose_integral_is_one() {
 }
 
 #[test]
+#[ignore = "slow: weekly"]
 fn samples_of_counted_paint_have_their_pdf() {
     let paint = MetallicPaint::new(MetallicPaintParameters {
         flakes: PaintFlakes::Counted { spacing: 1e-3, bin: 1.0 },

@@ -135,6 +135,7 @@ fn mean_of_standard_materials_over_bumps_is_the_far_field() {
 }
 
 #[test]
+#[ignore = "slow: weekly"]
 fn samples_of_resolved_bumps_are_their_pdf() {
     let near = ResolvedBumps { z: Vec2::new(0.8, -0.3), variance: 0.75, blend: 1.0 };
     for (k, (name, material)) in materials().into_iter().enumerate() {

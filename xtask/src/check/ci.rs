@@ -38,7 +38,7 @@ const CHECKS: [Check; 10] = [
     ("format", |root| run(&mut cargo(root, "fmt --all --check"))),
     ("tidy", |_| tidy::report()?.verdict()),
     ("dependencies", dependencies::dependencies),
-    ("clippy", clippy),
+    ("clippy", |root| lint(root, "--workspace --all-targets")),
     ("no float backend is one clear error", neither_backend),
     ("docs", |root| {
         let mut docs = cargo(root, "doc --workspace --no-deps --document-private-items --quiet");
@@ -52,7 +52,7 @@ const CHECKS: [Check; 10] = [
 
 /// Checks that take minutes. They run weekly, before a release, and by name when a change affects
 /// them.
-const WEEKLY: [Check; 16] = [
+const WEEKLY: [Check; 17] = [
     ("slow tests", |root| run(&mut cargo(root, "test --quiet --workspace -- --ignored"))),
     ("generated tables", |root| {
         run(&mut cargo(root, "test --quiet --workspace --test up_to_date -- --ignored"))
@@ -65,6 +65,7 @@ const WEEKLY: [Check; 16] = [
     ("the same bits", |root| platforms(root, "same-bits")),
     ("firmware", |root| platforms(root, "firmware")),
     ("bits of every platform", |root| platforms(root, "bits")),
+    ("minimal features", minimal_features),
     ("pairs of features", pairs_of_features),
     ("oldest packages", packages::oldest_packages),
     ("clean-room packages", packages::clean_room_builds),
@@ -110,13 +111,18 @@ fn platforms(root: &Path, command: &str) -> Result<(), Failure> {
     run(&mut cargo(root, &format!("run --quiet --package asperity-platforms -- {command}")))
 }
 
-fn clippy(root: &Path) -> Result<(), Failure> {
-    let lint = |of: &str| run(&mut cargo(root, &format!("clippy {of} --quiet -- -D warnings")));
-    lint("--workspace --all-targets")?;
+fn lint(root: &Path, of: &str) -> Result<(), Failure> {
+    run(&mut cargo(root, &format!("clippy {of} --quiet -- -D warnings")))
+}
+
+/// Lints the crates with the fewest features.
+fn minimal_features(root: &Path) -> Result<(), Failure> {
     CRATES.iter().flat_map(|name| LEAST.map(|features| (name, features))).try_for_each(
-        |(name, features)| lint(&format!("--package {name} --no-default-features --features {features}")),
+        |(name, features)| {
+            lint(root, &format!("--package {name} --no-default-features --features {features}"))
+        },
     )?;
-    lint("--package asperity-wgsl --no-default-features --features libm")
+    lint(root, "--package asperity-wgsl --no-default-features --features libm")
 }
 
 /// Lints the features of a crate one by one on either backend, and in pairs on one backend, so that
