@@ -105,6 +105,7 @@ fn angles(normals: &[Vec3], back: impl Fn(Vec3) -> Vec3 + Sync) -> [f64; 2] {
 }
 
 #[test]
+#[ignore = "slow: weekly"]
 fn normal_map_indices_invert_through_table_l() {
     for (name, exact) in maps() {
         let formats = [("exact", None), ("8 bits", Some(NormalMapFormat::default()))];

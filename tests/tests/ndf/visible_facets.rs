@@ -226,6 +226,7 @@ fn visible_facets_of_tables_are_nearly_normalized() {
 }
 
 #[test]
+#[ignore = "slow: weekly"]
 fn visible_facets_mean_is_the_far_field() {
     // Means over z_b of the density at one normal, by the trapezoid rule on ±6. The narrowest lobe has
     // a standard deviation of 0.5, five steps.
