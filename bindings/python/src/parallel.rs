@@ -97,8 +97,7 @@ pub(crate) fn unless_signal<R>(outcome: (Option<R>, Option<PyErr>)) -> PyResult<
 
 /// Runs work on the threads of this process, as [`with_signals`] does.
 ///
-/// Without a pool of its own, work would use the pool of the parent process after a fork, which has
-/// no threads there.
+/// The threads of rayon's global pool do not survive a fork.
 pub(crate) fn on_all_cores<R: Send>(
     py: Python<'_>,
     work: impl FnOnce(&AtomicBool) -> R + Send,

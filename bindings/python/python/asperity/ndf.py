@@ -202,7 +202,8 @@ def from_array(
     """A distribution from a gray image of the (x, y) disk, shape ``(height, width)``.
 
     The first row is the top, y = 1, as in an image. Texels outside the unit disk are ignored, and the
-    scale does not matter. With the ``measure`` ``"normals"`` values are proportional to D, with ``"solid_angle"`` to D cos θ.
+    scale does not matter. With the ``measure`` ``"normals"`` values are proportional to D, with
+    ``"solid_angle"`` to D cos θ.
     """
     array = np.require(real("texels", texels), np.float32, ("C", "A"))
     if array.ndim != 2:
