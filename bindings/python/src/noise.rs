@@ -7,9 +7,9 @@ use asperity_fields::{
     AnyShape, At, Kind, Node, Output, Parameters, Shared, Space, Sum, list, points, slabs,
 };
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray2, PyUntypedArrayMethods};
-use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
+use crate::batch::value_error;
 use crate::parallel;
 
 /// The number of points of one piece of work.
@@ -39,10 +39,6 @@ pub(crate) struct Field {
     depth: usize,
     /// The number of terms; a field that is used twice counts twice.
     terms: usize,
-}
-
-fn value_error(message: impl ToString) -> PyErr {
-    PyValueError::new_err(message.to_string())
 }
 
 impl Field {
