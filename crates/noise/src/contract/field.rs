@@ -1,6 +1,6 @@
 //! Fields: values and gradients at single points, in lists and on grids.
 
-use core::{array, marker::PhantomData, mem};
+use core::{array, marker::PhantomData, mem, ops::Range};
 
 use asperity_core::BatchError;
 
@@ -166,6 +166,53 @@ pub trait Field<V: Point> {
         gradients: V::Array<&'a mut [f32]>,
     ) -> Result<(), BatchError> {
         many::grid(Level::best(), &|points, target| self.fill(points, target), grid, values, Some(gradients))
+    }
+
+    /// Evaluates the values on some rows of a grid, with the bits of the whole grid.
+    ///
+    /// Threads can share a grid in this way. Rows are counted over all axes but the first; those
+    /// after the last do not exist.
+    ///
+    /// ```
+    /// use asperity_noise::{Field, Grid, Perlin, glam::Vec3};
+    ///
+    /// let noise = Perlin::new(1);
+    /// let grid = Grid { origin: Vec3::ZERO, step: Vec3::splat(0.1), size: [50, 40, 3] };
+    /// let (mut all, mut part) = ([0.0; 6000], [0.0; 1000]);
+    /// noise.grid_values(&grid, &mut all)?;
+    /// noise.grid_row_values(&grid, 30..50, &mut part)?;
+    /// assert_eq!(all[1500..2500], part);
+    /// # Ok::<(), asperity_noise::BatchError>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// If the length of `values` is not the number of points of these rows.
+    fn grid_row_values(
+        &self,
+        grid: &Grid<V>,
+        rows: Range<usize>,
+        values: &mut [f32],
+    ) -> Result<(), BatchError> {
+        many::rows(&|points, target| self.fill(points, target), grid, rows, values, None)
+    }
+
+    /// Evaluates values and gradients on some rows of a grid, with the bits of the whole grid.
+    ///
+    /// As [`grid_row_values`](Self::grid_row_values), with one slice of `gradients` per component.
+    ///
+    /// # Errors
+    ///
+    /// If the length of `values` or of a component of `gradients` is not the number of points of
+    /// these rows.
+    fn grid_row_samples<'a>(
+        &self,
+        grid: &Grid<V>,
+        rows: Range<usize>,
+        values: &'a mut [f32],
+        gradients: V::Array<&'a mut [f32]>,
+    ) -> Result<(), BatchError> {
+        many::rows(&|points, target| self.fill(points, target), grid, rows, values, Some(gradients))
     }
 
     /// Evaluates lists and grids, by default point by point.

@@ -1,5 +1,7 @@
 //! Lists and grids of points, checked and evaluated at one SIMD level.
 
+use core::ops::Range;
+
 use asperity_core::BatchError;
 
 use crate::{
@@ -67,7 +69,22 @@ pub(crate) fn grid<'a, V: Point>(
 ) -> Result<(), BatchError> {
     check_all::<V>(grid.len(), values, gradients.as_ref())?;
     let (instructions, stride) = (level.instructions(), grid.width());
-    fill(&Points::of_grid(grid), Target { instructions, values, gradients, stride });
+    fill(&Points::of_rows(grid, 0..grid.rows()), Target { instructions, values, gradients, stride });
+    Ok(())
+}
+
+/// Evaluates values on rows of a grid, and gradients if there is space for them.
+pub(crate) fn rows<'a, V: Point>(
+    fill: Fill<'_, V>,
+    grid: &Grid<V>,
+    rows: Range<usize>,
+    values: &'a mut [f32],
+    gradients: Option<V::Array<&'a mut [f32]>>,
+) -> Result<(), BatchError> {
+    let rows = rows.start.min(grid.rows())..rows.end.min(grid.rows());
+    let (instructions, stride) = (Level::best().instructions(), grid.width());
+    check_all::<V>(rows.len() * stride, values, gradients.as_ref())?;
+    fill(&Points::of_rows(grid, rows), Target { instructions, values, gradients, stride });
     Ok(())
 }
 

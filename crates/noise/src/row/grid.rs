@@ -69,9 +69,9 @@ impl<V: Point> Grid<V> {
         self.size.as_ref().first().copied().unwrap_or(0)
     }
 
-    /// The number of rows.
-    #[inline(always)]
-    pub(crate) fn rows(&self) -> usize {
+    /// Returns the number of rows along the first axis, counted over all other axes.
+    #[must_use]
+    pub fn rows(&self) -> usize {
         self.len().checked_div(self.width()).unwrap_or(0)
     }
 

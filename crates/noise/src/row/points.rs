@@ -70,8 +70,8 @@ pub(crate) fn blocks(width: usize, rows: usize, limit: usize) -> impl Iterator<I
 }
 
 impl<'a, V: Point> Points<'a, V> {
-    pub(crate) fn of_grid(grid: &'a Grid<V>) -> Self {
-        Self(Source::Window(Window { grid, columns: 0..grid.width(), rows: 0..grid.rows() }))
+    pub(crate) fn of_rows(grid: &'a Grid<V>, rows: Range<usize>) -> Self {
+        Self(Source::Window(Window { grid, columns: 0..grid.width(), rows }))
     }
 
     pub(crate) fn lists(lists: V::Array<&'a [f32]>) -> Self {

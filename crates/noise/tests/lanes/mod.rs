@@ -116,6 +116,32 @@ fn fields_use_the_best_level() {
     assert_eq!(error.to_string(), "`values` must have 600 elements, got 599");
 }
 
+/// Parts of strips, rows and slices, and more rows than there are.
+#[test]
+fn rows_have_the_bits_of_the_grid() {
+    let sum = Fbm::<_, Vec3>::new(Simplex::new(3), FbmSpectrum::default());
+    let fields: [&dyn Field<Vec3>; 2] = [&sum, &Perlin::new(7)];
+    let grid =
+        Grid { origin: Vec3::new(-3.0, 0.7, 9.0), step: Vec3::new(0.03, -0.1, 0.2), size: [600, 5, 4] };
+    let lists = |count| [(); 4].map(|()| vec![f32::NAN; count]);
+    for field in fields {
+        let [mut values, mut x, mut y, mut z] = lists(grid.len());
+        field.grid_samples(&grid, &mut values, [&mut x, &mut y, &mut z]).unwrap();
+        for rows in [0..20, 0..1, 3..11, 19..20, 7..7, 18..30, 25..30] {
+            let part = 600 * rows.start.min(20)..600 * rows.end.min(20);
+            let [mut alone, ..] = lists(part.len());
+            field.grid_row_values(&grid, rows.clone(), &mut alone).unwrap();
+            assert_eq!(alone, values[part.clone()]);
+            let mut got = lists(part.len());
+            let [v, gx, gy, gz] = &mut got;
+            field.grid_row_samples(&grid, rows, v, [gx, gy, gz]).unwrap();
+            assert_eq!(got, [&values, &x, &y, &z].map(|list| list[part.clone()].to_vec()));
+        }
+    }
+    let error = fields[0].grid_row_values(&grid, 18..30, &mut [0.0; 600]).unwrap_err();
+    assert_eq!(error.to_string(), "`values` must have 1200 elements, got 600");
+}
+
 #[test]
 fn unavailable_level_has_the_same_bits() {
     let (noise, p) = (Simplex::new(1), [0.3, 1.7, -2.4].map(Vec2::splat));
