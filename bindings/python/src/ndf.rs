@@ -119,8 +119,8 @@ impl Ndf {
     }
 
     /// The NDF rotated by an angle from x towards y.
-    fn rotated(&self, angle: f32) -> PyResult<Self> {
-        if self.0.0.microfacet().is_none() {
+    fn rotated(&self, py: Python<'_>, angle: f32) -> PyResult<Self> {
+        if py.detach(|| self.0.0.microfacet()).is_none() {
             return Err(value_error("a conditional distribution has no rotation: rotate it before"));
         }
         Rotated::new(self.0.clone(), angle).map(new).map_err(value_error)

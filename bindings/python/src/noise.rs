@@ -4,23 +4,27 @@ use std::sync::Arc;
 
 use asperity_fields::noise::{FbmSpectrum, Grid, Normalization, Rotation};
 use asperity_fields::{
-    AnyShape, At, Kind, Node, Output, Parameters, Shared, Space, Sum, list, points, slabs,
+    AnyShape, At, Kind, Node, Output, Parameters, Shared, Space, Sum, list, parts, points,
 };
-use numpy::{IntoPyArray, PyArray1, PyReadonlyArray2, PyUntypedArrayMethods};
+use numpy::{PyReadonlyArray2, PyReadwriteArray1, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 
 use crate::batch::value_error;
 use crate::parallel;
 
-/// The number of points of one piece of work.
+/// The number of points of one piece of work; of a grid, at least.
 const PIECE: usize = 4096;
+
+/// The number of points of one piece of a grid, at most: rows of a piece share work.
+const LARGEST: usize = 1 << 16;
 
 /// Fewer points are evaluated without starting a thread.
 const SMALL: usize = 8192;
 
-/// Values, and gradients and Hessians if wanted, as flat arrays.
-type Arrays<'py> =
-    (Bound<'py, PyArray1<f32>>, Option<Bound<'py, PyArray1<f32>>>, Option<Bound<'py, PyArray1<f32>>>);
+/// Flat arrays for the results: values, gradients and Hessians, the latter two if wanted.
+///
+/// NumPy asks for large pages, so that a fresh array is filled faster than one of Rust.
+type Arrays<'py> = Vec<PyReadwriteArray1<'py, f32>>;
 
 /// The most nested terms: every transform has a buffer on the stack.
 const DEEPEST: usize = 128;
@@ -225,40 +229,40 @@ impl Field {
         }
     }
 
-    /// Evaluates at the rows of an array. `order` 1 adds gradients, 2 gradients and Hessians.
-    fn evaluate<'py>(
+    /// Evaluates at the rows of an array.
+    fn evaluate(
         &self,
-        py: Python<'py>,
-        points: PyReadonlyArray2<'py, f32>,
-        order: u8,
+        py: Python<'_>,
+        points: PyReadonlyArray2<'_, f32>,
+        results: Arrays<'_>,
         threads: Option<isize>,
-    ) -> PyResult<Arrays<'py>> {
+    ) -> PyResult<()> {
         let dimension = points.shape()[1];
         let numbers = points.as_slice().map_err(value_error)?;
         match dimension {
-            1 => evaluate::<1>(py, self, numbers, order, threads),
-            2 => evaluate::<2>(py, self, numbers, order, threads),
-            3 => evaluate::<3>(py, self, numbers, order, threads),
-            4 => evaluate::<4>(py, self, numbers, order, threads),
+            1 => evaluate::<1>(py, self, numbers, results, threads),
+            2 => evaluate::<2>(py, self, numbers, results, threads),
+            3 => evaluate::<3>(py, self, numbers, results, threads),
+            4 => evaluate::<4>(py, self, numbers, results, threads),
             _ => Err(dimension_error(dimension)),
         }
     }
 
     /// Evaluates on a grid, with the first axis fastest.
-    fn grid<'py>(
+    fn grid(
         &self,
-        py: Python<'py>,
+        py: Python<'_>,
         size: Vec<usize>,
         step: Vec<f32>,
         origin: Vec<f32>,
-        order: u8,
+        results: Arrays<'_>,
         threads: Option<isize>,
-    ) -> PyResult<Arrays<'py>> {
+    ) -> PyResult<()> {
         match size.len() {
-            1 => grid::<1>(py, self, &size, &step, &origin, order, threads),
-            2 => grid::<2>(py, self, &size, &step, &origin, order, threads),
-            3 => grid::<3>(py, self, &size, &step, &origin, order, threads),
-            4 => grid::<4>(py, self, &size, &step, &origin, order, threads),
+            1 => grid::<1>(py, self, &size, [&origin, &step], results, threads),
+            2 => grid::<2>(py, self, &size, [&origin, &step], results, threads),
+            3 => grid::<3>(py, self, &size, [&origin, &step], results, threads),
+            4 => grid::<4>(py, self, &size, [&origin, &step], results, threads),
             dimension => Err(dimension_error(dimension)),
         }
     }
@@ -268,41 +272,36 @@ fn dimension_error(dimension: usize) -> PyErr {
     value_error(format!("points must have 1 to 4 coordinates, got {dimension}"))
 }
 
-fn evaluate<'py, const N: usize>(
-    py: Python<'py>,
+fn evaluate<const N: usize>(
+    py: Python<'_>,
     noise: &Field,
     numbers: &[f32],
-    order: u8,
+    mut results: Arrays<'_>,
     threads: Option<isize>,
-) -> PyResult<Arrays<'py>>
+) -> PyResult<()>
 where
     At<N>: Space<N>,
 {
-    let field = built::<N>(&noise.node, order)?;
+    let field = built::<N>(&noise.node, &results)?;
     let points = points::<N>(numbers);
-    let mut buffers = Buffers::new::<N>(points.len(), order)?;
-    let pieces = points.chunks(PIECE).zip(buffers.pieces::<N>(PIECE)).collect();
+    let pieces = points.chunks(PIECE).zip(pieces::<N>(&mut results, points.len(), PIECE)?).collect();
     let threads = parallel::count(threads)?;
     let small = points.len() <= SMALL && noise.depth <= SHALLOW;
-    parallel::for_each(py, threads, small, pieces, |(points, output)| {
-        list(&*field, points, output);
-    })?;
-    Ok(buffers.into_arrays(py))
+    parallel::for_each(py, threads, small, pieces, |(points, output)| list(&*field, points, output))
 }
 
-fn grid<'py, const N: usize>(
-    py: Python<'py>,
+fn grid<const N: usize>(
+    py: Python<'_>,
     noise: &Field,
     size: &[usize],
-    step: &[f32],
-    origin: &[f32],
-    order: u8,
+    [origin, step]: [&[f32]; 2],
+    mut results: Arrays<'_>,
     threads: Option<isize>,
-) -> PyResult<Arrays<'py>>
+) -> PyResult<()>
 where
     At<N>: Space<N>,
 {
-    let field = built::<N>(&noise.node, order)?;
+    let field = built::<N>(&noise.node, &results)?;
     let axes = |name: &str, numbers: &[f32]| -> PyResult<At<N>> {
         let count = numbers.len();
         let message = || value_error(format!("`{name}` must have {N} numbers, got {count}"));
@@ -310,75 +309,48 @@ where
     };
     let size: [usize; N] = size.try_into().map_err(|_| dimension_error(size.len()))?;
     let grid = Grid { origin: axes("origin", origin)?, step: axes("step", step)?, size };
-    let mut buffers = Buffers::new::<N>(grid.len(), order)?;
     let threads = parallel::count(threads)?;
     let small = grid.len() <= SMALL && noise.depth <= SHALLOW;
-    let slab = size[..N - 1].iter().product::<usize>().max(1);
-    let height = if small { size[N - 1].max(1) } else { PIECE.div_ceil(slab) };
-    let starts = (0..size[N - 1]).step_by(height);
-    let pieces = starts.map(|start| start..size[N - 1].min(start + height));
-    let pieces = pieces.zip(buffers.pieces::<N>(height * slab)).collect();
-    parallel::for_each(py, threads, small, pieces, |(part, output)| slabs(&*field, &grid, part, output))?;
-    Ok(buffers.into_arrays(py))
+    let (count, each) = parts(&grid);
+    let piece = (grid.len() / (4 * threads)).clamp(PIECE, LARGEST);
+    let height = if small { count.max(1) } else { piece.div_ceil(each.max(1)) };
+    let starts = (0..count).step_by(height);
+    let ranges = starts.map(|start| start..count.min(start + height));
+    let pieces = ranges.zip(pieces::<N>(&mut results, grid.len(), height * each)?).collect();
+    parallel::for_each(py, threads, small, pieces, |(range, output)| {
+        asperity_fields::grid(&*field, &grid, range, output);
+    })
 }
 
-fn built<const N: usize>(node: &Node, order: u8) -> PyResult<Shared<N>>
+fn built<const N: usize>(node: &Node, results: &Arrays<'_>) -> PyResult<Shared<N>>
 where
     At<N>: Space<N>,
 {
     let field = node.build::<N>().map_err(value_error)?;
-    if order > 1 && !field.has_hessian() {
+    if results.len() > 2 && !field.has_hessian() {
         return Err(value_error("the field does not have Hessians"));
     }
     Ok(field)
 }
 
-/// Space for results.
-struct Buffers {
-    values: Vec<f32>,
-    gradients: Vec<f32>,
-    hessians: Vec<f32>,
-    order: u8,
-}
-
-impl Buffers {
-    fn new<const N: usize>(count: usize, order: u8) -> PyResult<Self> {
-        let zeros = |wanted: bool, each: usize| -> PyResult<Vec<f32>> {
-            let mut numbers = Vec::new();
-            if wanted {
-                let length = count.saturating_mul(each);
-                numbers.try_reserve_exact(length).map_err(|_| {
-                    pyo3::exceptions::PyMemoryError::new_err(format!("cannot allocate {length} numbers"))
-                })?;
-                numbers.resize(length, 0.0);
-            }
-            Ok(numbers)
-        };
-        Ok(Self {
-            values: zeros(true, 1)?,
-            gradients: zeros(order > 0, N)?,
-            hessians: zeros(order > 1, N * N)?,
-            order,
-        })
-    }
-
-    /// Parts of the space for at most `length` points each.
-    fn pieces<const N: usize>(&mut self, length: usize) -> impl Iterator<Item = Output<'_>> {
-        let mut gradients = self.gradients.chunks_mut(length * N);
-        let mut hessians = self.hessians.chunks_mut(length * N * N);
-        self.values.chunks_mut(length).map(move |values| Output {
-            values,
-            gradients: gradients.next().unwrap_or_default(),
-            hessians: hessians.next().unwrap_or_default(),
-        })
-    }
-
-    fn into_arrays(self, py: Python<'_>) -> Arrays<'_> {
-        let Self { values, gradients, hessians, order } = self;
-        (
-            values.into_pyarray(py),
-            (order > 0).then(|| gradients.into_pyarray(py)),
-            (order > 1).then(|| hessians.into_pyarray(py)),
-        )
-    }
+/// Returns the parts of the arrays for at most `length` points each.
+fn pieces<'a, const N: usize>(
+    results: &'a mut Arrays<'_>,
+    count: usize,
+    length: usize,
+) -> PyResult<impl Iterator<Item = Output<'a>>> {
+    let mut arrays = [1, N, N * N].into_iter().zip(results).map(|(each, array)| {
+        let array = array.as_slice_mut().map_err(value_error)?;
+        match array.len() == count.saturating_mul(each) {
+            true => Ok(array.chunks_mut(length.saturating_mul(each).max(1))),
+            false => Err(value_error(format!("expected {each} numbers for each of {count} points"))),
+        }
+    });
+    let mut next = || arrays.next().transpose();
+    let (values, mut gradients, mut hessians) = (next()?, next()?, next()?);
+    Ok(values.into_iter().flatten().map(move |values| Output {
+        values,
+        gradients: gradients.as_mut().and_then(Iterator::next).unwrap_or_default(),
+        hessians: hessians.as_mut().and_then(Iterator::next).unwrap_or_default(),
+    }))
 }

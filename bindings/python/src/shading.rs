@@ -60,23 +60,23 @@ impl Bsdf {
 
     /// Mirrors with a distribution and a reflectance at normal incidence.
     #[staticmethod]
-    fn metal(ndf: &Ndf, f0: [f32; 3]) -> PyResult<Self> {
-        masked(ndf)?;
+    fn metal(py: Python<'_>, ndf: &Ndf, f0: [f32; 3]) -> PyResult<Self> {
+        masked(py, ndf)?;
         Ok(new(CookTorrance::new(ndf.0.clone(), color("f0", f0)?)))
     }
 
     /// Mirrors with a distribution and the indices of a conductor per channel.
     #[staticmethod]
-    fn conductor(ndf: &Ndf, eta: [f32; 3], k: [f32; 3]) -> PyResult<Self> {
-        masked(ndf)?;
+    fn conductor(py: Python<'_>, ndf: &Ndf, eta: [f32; 3], k: [f32; 3]) -> PyResult<Self> {
+        masked(py, ndf)?;
         let channel = |i: usize| Conductor::new(eta[i], k[i]).map_err(value_error);
         Ok(new(CookTorrance::new(ndf.0.clone(), [channel(0)?, channel(1)?, channel(2)?])))
     }
 
     /// A rough dielectric with a distribution, which reflects and transmits.
     #[staticmethod]
-    fn dielectric(ndf: &Ndf, ior: f32, thin: Option<[f32; 3]>) -> PyResult<Self> {
-        masked(ndf)?;
+    fn dielectric(py: Python<'_>, ndf: &Ndf, ior: f32, thin: Option<[f32; 3]>) -> PyResult<Self> {
+        masked(py, ndf)?;
         let fresnel = Dielectric::new(ior).map_err(value_error)?;
         Ok(match thin {
             None => new(RoughDielectric::new(ndf.0.clone(), fresnel)),
@@ -146,8 +146,9 @@ impl Bsdf {
 }
 
 /// Checks that a distribution has masking, and computes its tables.
-fn masked(ndf: &Ndf) -> PyResult<()> {
-    ndf.0.0.microfacet().map(|_| ()).ok_or_else(|| value_error("a conditional distribution has no masking"))
+fn masked(py: Python<'_>, ndf: &Ndf) -> PyResult<()> {
+    let ndf = py.detach(|| ndf.0.0.microfacet());
+    ndf.map(|_| ()).ok_or_else(|| value_error("a conditional distribution has no masking"))
 }
 
 fn color(name: &str, color: [f32; 3]) -> PyResult<Vec3> {

@@ -188,7 +188,8 @@ def test_curl_has_no_divergence():
         (lambda: Perlin(1, period=0)(np.zeros((1, 2))), "`periods[0]` must be between 1 and 2097152, got 0"),
         (lambda: Perlin(1).warp([Value(1)] * 3, 1)(np.zeros((1, 2))), "`by` must be one field or 2 in 2-D, got 3"),
         (lambda: Perlin(1).warp(Value(1), np.inf), "`strength` must be finite, got inf"),
-        (lambda: Perlin(1.5), "`seed` must be an integer or a list of integers, got 1.5"),
+        (lambda: Perlin(1.5), "`seed` must be an integer, got 1.5"),
+        (lambda: Perlin([1, 2]), "`seed` must be an integer, got [1, 2]"),
         (lambda: Perlin(1).grid(4.5, 1), "`shape` must be an integer or a list of integers, got 4.5"),
         (lambda: Perlin(1)(np.zeros((2, 2)), threads=-1), "`threads` must be at least 1, got -1"),
         (lambda: nested(129), "a noise must have at most 128 nested terms, got 129"),
@@ -199,6 +200,11 @@ def test_errors(call, message):
     with pytest.raises(ValueError) as error:
         call()
     assert str(error.value) == message
+
+
+def test_too_many_points():
+    with pytest.raises(MemoryError):
+        Perlin(1).grid((2**30, 2**20), 1)
 
 
 def nested(depth):

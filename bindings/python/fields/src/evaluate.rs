@@ -50,59 +50,41 @@ pub fn list<const N: usize>(field: &dyn Jet<N>, points: &[At<N>], output: Output
     }
 }
 
-/// Evaluates a field at the points of a grid whose index along the last axis is in a range.
-///
-/// The points have the bits of the whole grid.
-pub fn slabs<const N: usize>(
+/// Returns the parts of a grid that can be evaluated alone, and the number of points of each: rows, or
+/// points in one dimension.
+#[must_use]
+pub fn parts<const N: usize>(grid: &Grid<At<N>>) -> (usize, usize) {
+    if N == 1 { (grid.len(), 1) } else { (grid.rows(), grid.size[0]) }
+}
+
+/// Evaluates a field on some of the [`parts`] of a grid, with the bits of the whole grid.
+pub fn grid<const N: usize>(
     field: &dyn Jet<N>,
     grid: &Grid<At<N>>,
-    slabs: std::ops::Range<usize>,
+    range: std::ops::Range<usize>,
     output: Output<'_>,
 ) {
-    let Output { mut values, mut gradients, mut hessians } = output;
-    let Some(last) = N.checked_sub(1) else { return };
-    if N == 1 {
-        let points: Vec<At<N>> = slabs.map(|i| grid.point([i; N])).collect();
-        return list(field, &points, Output { values, gradients, hessians });
+    let Output { values, gradients, hessians } = output;
+    if N == 1 || !hessians.is_empty() {
+        let (_, each) = parts(grid);
+        let points = (range.start * each..range.end * each).map(|mut i| {
+            grid.point(std::array::from_fn(|axis| {
+                let n = grid.size[axis].max(1);
+                let index = i % n;
+                i /= n;
+                index
+            }))
+        });
+        return list(field, &points.collect::<Vec<_>>(), Output { values, gradients, hessians });
     }
-    let mut slab = *grid;
-    let length = grid.size[..last].iter().product::<usize>();
-    let whole = slabs == (0..grid.size[last]);
-    let (count, height) = if whole { (1, grid.size[last]) } else { (slabs.len(), 1) };
-    let length = length * height;
-    slab.size[last] = height;
-    for index in slabs.take(count) {
-        let mut at = [0; N];
-        at[last] = index;
-        slab.origin.0[last] = if whole { grid.origin.0[last] } else { grid.point(at).0[last] };
-        let (value, rest) = values.split_at_mut(length.min(values.len()));
-        values = rest;
-        if gradients.is_empty() {
-            let _ = field.grid_values(&slab, value);
-            continue;
-        }
-        let (gradient, rest) = gradients.split_at_mut(length * N);
-        gradients = rest;
-        if hessians.is_empty() {
-            let mut lists: [Vec<f32>; N] = std::array::from_fn(|_| vec![0.0; length]);
-            let _ = field.grid_samples(&slab, value, lists.each_mut().map(|list| &mut list[..]));
-            for (i, gradient) in gradient.as_chunks_mut::<N>().0.iter_mut().enumerate() {
-                *gradient = std::array::from_fn(|axis| lists[axis][i]);
-            }
-            continue;
-        }
-        let (hessian, rest) = hessians.split_at_mut(length * N * N);
-        hessians = rest;
-        let points: Vec<At<N>> = (0..length)
-            .map(|mut i| {
-                slab.point(std::array::from_fn(|axis| {
-                    let n = slab.size[axis].max(1);
-                    let index = i % n;
-                    i /= n;
-                    index
-                }))
-            })
-            .collect();
-        list(field, &points, Output { values: value, gradients: gradient, hessians: hessian });
+    // The lengths agree.
+    if gradients.is_empty() {
+        let _ = field.grid_row_values(grid, range, values);
+        return;
+    }
+    let mut lists: [Vec<f32>; N] = std::array::from_fn(|_| vec![0.0; values.len()]);
+    let _ = field.grid_row_samples(grid, range, values, lists.each_mut().map(|list| &mut list[..]));
+    for (i, gradient) in gradients.as_chunks_mut::<N>().0.iter_mut().enumerate() {
+        *gradient = std::array::from_fn(|axis| lists[axis][i]);
     }
 }

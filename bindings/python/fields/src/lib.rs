@@ -14,7 +14,7 @@ mod sum;
 
 pub use asperity_noise as noise;
 pub use build::{Place, Space, sum_of};
-pub use evaluate::{Output, list, slabs};
+pub use evaluate::{Output, grid, list, parts};
 pub use graph::Node;
 pub use jet::{Jet, Shared};
 pub use kind::{Kind, Parameters};

@@ -53,7 +53,10 @@ def integers(name: str, numbers: SupportsIndex | Sequence[SupportsIndex]) -> lis
 
 def seed32(seed: SupportsIndex) -> int:
     """A seed of 32 bits."""
-    (number,) = integers("seed", seed)
+    try:
+        number = operator.index(seed)
+    except TypeError:
+        raise ValueError(f"`seed` must be an integer, got {seed!r}") from None
     if not 0 <= number < 2**32:
         raise ValueError(f"`seed` must be between 0 and 4294967295, got {seed}")
     return number

@@ -14,7 +14,6 @@ __all__ = [
     "run",
 ]
 
-_Arrays = tuple[Float32Array, Float32Array | None, Float32Array | None]
 _Color = tuple[float, float, float]
 
 @final
@@ -59,10 +58,15 @@ class Field:
     def warp(self, by: list[Field], strength: float) -> Field: ...
     def reseeded(self, by: int) -> Field: ...
     def range(self, dimension: int) -> tuple[float, float]: ...
-    def evaluate(self, points: Float32Array, order: int, threads: int | None) -> _Arrays: ...
+    def evaluate(self, points: Float32Array, results: list[Float32Array], threads: int | None) -> None: ...
     def grid(
-        self, size: list[int], step: list[float], origin: list[float], order: int, threads: int | None
-    ) -> _Arrays: ...
+        self,
+        size: list[int],
+        step: list[float],
+        origin: list[float],
+        results: list[Float32Array],
+        threads: int | None,
+    ) -> None: ...
 
 def run(words: list[str], command: str | os.PathLike[str], binary: str | os.PathLike[str]) -> int: ...
 def filter(

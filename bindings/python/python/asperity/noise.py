@@ -130,9 +130,7 @@ class Noise:
         C-contiguous ``float32`` arrays are read without a copy, others are converted. ``threads`` is
         the number of threads, all cores by default; it changes no bit.
         """
-        flat, shape = rows("points", points)
-        order = _order(with_gradient, with_hessian)
-        return _result(self._field.evaluate(flat, order, threads), shape, flat.shape[1])
+        return self._values("points", points, with_gradient, with_hessian, threads)
 
     @overload
     def at(
@@ -169,9 +167,15 @@ class Noise:
         if not coordinates:
             raise ValueError("`coordinates` must be 1 to 4 arrays, got 0")
         points = np.stack(np.broadcast_arrays(*coordinates), axis=-1)
-        flat, shape = rows("coordinates", points)
-        order = _order(with_gradient, with_hessian)
-        return _result(self._field.evaluate(flat, order, threads), shape, flat.shape[1])
+        return self._values("coordinates", points, with_gradient, with_hessian, threads)
+
+    def _values(
+        self, name: str, points: npt.ArrayLike, with_gradient: bool, with_hessian: bool, threads: int | None
+    ) -> Float32Array | Sample | SampleHessian:
+        flat, shape = rows(name, points)
+        arrays = _arrays(*flat.shape, with_gradient, with_hessian)
+        self._field.evaluate(flat, arrays, threads)
+        return _result(arrays, shape, flat.shape[1])
 
     @overload
     def grid(
@@ -225,9 +229,9 @@ class Noise:
         size = tuple(integers("shape", shape))
         if any(n < 0 or n >= 2**31 for n in size):
             raise ValueError(f"`shape` must have numbers from 0 to 2147483647, got {size}")
-        order = _order(with_gradient, with_hessian)
         steps, origins = _axes("step", step, len(size)), _axes("origin", origin, len(size))
-        arrays = self._field.grid(list(reversed(size)), steps, origins, order, threads)
+        arrays = _arrays(math.prod(size), len(size), with_gradient, with_hessian)
+        self._field.grid(list(reversed(size)), steps, origins, arrays, threads)
         return _result(arrays, size, len(size))
 
     def range(self, dimension: int) -> tuple[float, float]:
@@ -309,23 +313,19 @@ def _made(field: Field, text: str) -> Noise:
     return noise
 
 
-def _order(with_gradient: bool, with_hessian: bool) -> int:
-    return 2 if with_hessian else int(with_gradient)
+def _arrays(count: int, dimension: int, with_gradient: bool, with_hessian: bool) -> list[Float32Array]:
+    """Arrays for values, gradients and Hessians of points."""
+    order = 2 if with_hessian else int(with_gradient)
+    return [np.empty(count * dimension**each, np.float32) for each in range(order + 1)]
 
 
 def _result(
-    arrays: tuple[Float32Array, Float32Array | None, Float32Array | None],
-    shape: tuple[int, ...],
-    dimension: int,
+    arrays: list[Float32Array], shape: tuple[int, ...], dimension: int
 ) -> Float32Array | Sample | SampleHessian:
-    values, gradients, hessians = arrays
-    value = values.reshape(shape)
-    if gradients is None:
-        return value
-    gradient = gradients.reshape((*shape, dimension))
-    if hessians is None:
-        return Sample(value, gradient)
-    return SampleHessian(value, gradient, hessians.reshape((*shape, dimension, dimension)))
+    shaped = [array.reshape(shape + (dimension,) * each) for each, array in enumerate(arrays)]
+    if len(shaped) == 1:
+        return shaped[0]
+    return Sample(*shaped) if len(shaped) == 2 else SampleHessian(*shaped)
 
 
 def _axes(name: str, numbers: float | Sequence[float], dimension: int) -> list[float]:
