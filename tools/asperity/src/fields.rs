@@ -19,7 +19,7 @@ pub(crate) struct Octaves {
     pub(crate) output: CellularOutput,
     pub(crate) metric: Metric,
     pub(crate) sum: Sum,
-    /// The octaves; without, the field is that of the kind.
+    /// The octaves; one octave if `None`.
     pub(crate) spectrum: Option<FbmSpectrum>,
     pub(crate) seed: u32,
 }

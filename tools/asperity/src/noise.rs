@@ -156,7 +156,10 @@ fn filled(
 ) -> Result<Samples> {
     let [width, height] = [width as usize, height as usize];
     let channels = if gradient { 3 } else { 1 };
-    let mut numbers = vec![0.0; width * height * channels];
+    let (mut numbers, count) = (Vec::new(), width * height * channels);
+    let space = numbers.try_reserve_exact(count);
+    space.map_err(|_| format!("`--size`: not enough memory for {count} numbers"))?;
+    numbers.resize(count, 0.0);
     let bar = progress::bar("noise");
     bar.set_length(height as u64);
     let center = |index: usize| ((index as f64 + 0.5) * step) as f32;

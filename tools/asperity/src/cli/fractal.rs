@@ -9,11 +9,11 @@ use crate::cli::value::whole;
 /// Options of `fractal`.
 #[derive(Debug, Args)]
 pub struct Fractal {
-    /// Points that the function interpolates, as `X,Y X,Y …` [default: those of Takagi's function,
-    /// `0,0 0.5,0.5 1,0`].
+    /// Points that the function interpolates, as `X,Y X,Y …` [default: `0,0 0.5,0.5 1,0`,
+    /// Takagi's function].
     #[arg(long, value_name = "POINTS", allow_hyphen_values = true, value_parser = points)]
     pub knots: Option<Points>,
-    /// Vertical scaling of each map, in (−1, 1); one number is that of all [default: 0.5].
+    /// Vertical scaling of each map, in (−1, 1), or one number for all maps [default: 0.5].
     #[arg(long, value_name = "A,…", allow_hyphen_values = true, value_parser = numbers)]
     pub scaling: Option<Numbers>,
     /// Function of a JSON file with `knots`, `alpha` and `q`, as in `tables`.

@@ -79,7 +79,7 @@ a record of all parameters. Interrupted runs resume. Peak memory is one tile. A 
   asperity noise --kind cellular --output f2-f1 --octaves 1 --tileable --out cracks.png
   asperity noise --sum ridged --warp 0.5 --size 2048x1024 --out mountains.png
 
-Several octaves have variance 1, one octave has the values of its kind. Samples are at the centers of the texels. The first row of a file is that of the least y. An .npy file has the shape (height, width);
+Several octaves have variance 1, one octave has the values of its kind. Samples are at the centers of the texels. The first row of a file has the smallest y. An .npy file has the shape (height, width);
 with --gradient a last axis holds value, ∂/∂x and ∂/∂y per lattice cell.")]
     Noise(Noise),
     /// Plot a fractal interpolation function; write its values, or its surface as a mesh.

@@ -141,7 +141,7 @@ impl<'a> Edits<'a> {
         let text = self.gltf.json();
         let list = |name: &'static str, replaced: &[(usize, String)], appended: &[String]| {
             let old = member(text, name)?.unwrap_or("[]");
-            Ok((name, edit(old, replaced, appended)?))
+            Ok((name, edit(old, replaced, appended).map_err(|error| format!("`{name}`: {error}"))?))
         };
         let used = self.gltf.list("extensionsUsed");
         let new = self.extensions.iter().filter(|name| used.iter().all(|used| used != **name));

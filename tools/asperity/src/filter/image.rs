@@ -9,19 +9,15 @@ use crate::failure::Result;
 use crate::filter::container::Container;
 use crate::filter::texture_file;
 
-/// Texels of all decoded images, for files of any length.
-const MOST_TEXELS: usize = 1 << 28;
-
 /// The images of a glTF. An image is decoded once in a row.
 pub(super) struct Images<'a> {
     gltf: &'a Container,
     decoded: Vec<(usize, Arc<ImageFile>)>,
-    texels: usize,
 }
 
 impl<'a> Images<'a> {
     pub(super) fn new(gltf: &'a Container) -> Self {
-        Self { gltf, decoded: Vec::new(), texels: 0 }
+        Self { gltf, decoded: Vec::new() }
     }
 
     /// Decodes an image. The last four are kept.
@@ -30,10 +26,6 @@ impl<'a> Images<'a> {
             return Ok(Arc::clone(image));
         }
         let image = Arc::new(self.decode(index)?);
-        self.texels += image.width * image.height;
-        if self.texels > MOST_TEXELS {
-            return Err(format!("the glTF's images exceed {MOST_TEXELS} texels").into());
-        }
         self.decoded.truncate(3);
         self.decoded.insert(0, (index, Arc::clone(&image)));
         Ok(image)

@@ -3,17 +3,15 @@
 use std::sync::atomic::AtomicBool;
 
 use asperity_render::failure::Interrupted;
-use asperity_shading::normal_map::SlopeMoments;
 use rayon::prelude::*;
 
-use crate::filter::tails::{Spread, Tails};
+use crate::filter::tails::Spread;
 use crate::filter::texels::Texels;
 
 /// What a texel of a level covers.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Texel {
-    pub(super) slopes: SlopeMoments,
-    tails: Tails,
+    pub(super) slopes: Spread,
     /// The mean of occlusion, roughness and metallic: what a loader's mip levels have.
     pub(super) plain: [f32; 3],
 }
@@ -39,9 +37,8 @@ impl Texel {
 
     /// Returns the covariance that is added.
     fn added(self) -> [f32; 3] {
-        let spread = Spread { moments: self.slopes, tails: self.tails };
-        let kept = spread.kept(self.alpha2());
-        self.slopes.covariance.map(|variance| kept * variance)
+        let kept = self.slopes.kept(self.alpha2());
+        self.slopes.moments.covariance.map(|variance| kept * variance)
     }
 
     /// Returns α₀² of the plain level.
@@ -76,10 +73,7 @@ impl Levels {
             Interrupted::check(interrupted)?;
             let size = finer.map(|side| (side / 2).max(1));
             let all = match further.last() {
-                None => covered(size, finer, |k| {
-                    let Spread { moments: slopes, tails } = texels.spread(k);
-                    Texel { slopes, tails, ..first(&texels, k) }
-                }),
+                None => covered(size, finer, |k| Texel { slopes: texels.spread(k), ..first(&texels, k) }),
                 Some(level) => covered(size, finer, |k| level.texels[k]),
             };
             further.push(Level { size, texels: all });
@@ -126,11 +120,11 @@ fn covered(size: [usize; 2], finer: [usize; 2], texel: impl Fn(usize) -> Texel +
         });
         for (part, (weight, k)) in parts.iter_mut().zip(covered) {
             let texel = texel(k);
-            *part = (weight, Spread { moments: texel.slopes, tails: texel.tails });
+            *part = (weight, texel.slopes);
             all += weight;
             mean.plain = [0, 1, 2].map(|k| mean.plain[k] + weight * texel.plain[k]);
         }
-        Spread { moments: mean.slopes, tails: mean.tails } = Spread::mixed(&parts);
+        mean.slopes = Spread::mixed(&parts);
         mean.plain = mean.plain.map(|sum| sum / all);
         mean
     };

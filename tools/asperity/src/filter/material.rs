@@ -23,7 +23,7 @@ use crate::filter::texture_file::{self, Level};
 const SMALLEST: f32 = 0.5 / 255.0;
 
 /// New texels of a file. Any number of materials may refer to one image.
-const MOST_TEXELS: usize = 1 << 28;
+pub(super) const MOST_TEXELS: usize = 1 << 30;
 
 /// The materials, with the maps that are already filtered.
 pub(super) struct Materials<'a> {
@@ -32,7 +32,7 @@ pub(super) struct Materials<'a> {
     images: Images<'a>,
     done: Vec<(String, Result<Filtered, String>)>,
     /// Texels of all new textures.
-    texels: usize,
+    pub(super) texels: usize,
 }
 
 /// Textures in place of a material's.
@@ -172,10 +172,11 @@ impl<'a> Materials<'a> {
         let Some(texels) = maps.texels(multiple) else {
             return Ok(Err("its roughness would need more than 8192 texels on a side".into()));
         };
-        self.texels += texels.size[0] * texels.size[1];
-        if self.texels > MOST_TEXELS {
-            return Err(format!("the materials need more than {MOST_TEXELS} texels").into());
+        let all = self.texels + texels.size[0] * texels.size[1];
+        if all > MOST_TEXELS {
+            return Ok(Err(format!("the file would have more than {MOST_TEXELS} new texels")));
         }
+        self.texels = all;
         let levels = Levels::new(texels, interrupted)?;
         let gained = |texel: Texel| texel.roughness() - texel.plain[1];
         if (1..levels.count()).all(|level| levels.map(level, gained).into_iter().all(|gain| gain < SMALLEST))
@@ -238,7 +239,7 @@ impl<'a> Materials<'a> {
             factor,
             anisotropy: anisotropy.transpose()?,
             levels: (0..levels.count()).map(means).collect(),
-            error: self.wanted.report.then(|| report::errors(&levels)),
+            error: self.wanted.report.then(|| report::errors(&levels, anisotropic)),
         }))
     }
 

@@ -5,6 +5,7 @@ use glam::{DVec2, Mat3, Vec2, Vec3};
 use rayon::prelude::*;
 
 use crate::filter::levels::Levels;
+use crate::filter::tails::SHARPEST;
 
 /// Samples along a side of a pixel, and the level whose texels have as many of the finest along a
 /// side.
@@ -14,8 +15,6 @@ const LEVEL: usize = 5;
 const PIXELS: usize = 8;
 /// Half vectors for each of both distributions.
 const HALVES: u32 = 128;
-/// Smallest α: of a roughness of 0.045, at which renderers stop.
-const SHARPEST: f32 = 0.002;
 
 /// A GGX distribution around a slope.
 #[derive(Clone, Copy)]
@@ -26,11 +25,16 @@ struct Lobe {
 }
 
 impl Lobe {
-    fn new(slope: Vec2, alpha: f32) -> Self {
+    /// Creates a lobe whose first α is along a direction of the slopes.
+    fn new(slope: Vec2, alpha: [f32; 2], along: [f32; 2]) -> Self {
         let normal = slope.extend(1.0).normalize();
-        let (x, y) = normal.any_orthonormal_pair();
-        let alpha = alpha.max(SHARPEST);
-        Self { frame: Mat3::from_cols(x, y, normal), ggx: Ggx::new_clamped(alpha, alpha) }
+        let x = Vec2::from(along).extend(0.0).reject_from_normalized(normal).normalize();
+        let [alpha_x, alpha_y] = alpha.map(|alpha| alpha.max(SHARPEST));
+        Self { frame: Mat3::from_cols(x, normal.cross(x), normal), ggx: Ggx::new_clamped(alpha_x, alpha_y) }
+    }
+
+    fn isotropic(slope: Vec2, roughness: f32) -> Self {
+        Self::new(slope, [roughness * roughness; 2], [1.0, 0.0])
     }
 
     fn density(self, h: Vec3) -> f32 {
@@ -47,34 +51,46 @@ impl Lobe {
 ///
 /// Half vectors follow the mean of both distributions, and both sums have their inverse density as
 /// weight.
-pub(super) fn errors(levels: &Levels) -> [f64; 2] {
+pub(super) fn errors(levels: &Levels, anisotropic: bool) -> [f64; 2] {
     let level = LEVEL.min(levels.count() - 1);
     let [width, height] = levels.size(level);
     let count = [width, height].map(|side| side.min(PIXELS));
     let sums = (0..count[0] * count[1]).into_par_iter().map(|k| {
         let column = (k % count[0]) * width / count[0];
         let row = (k / count[0]) * height / count[1];
-        pixel(levels, level, [column, row], k as u32)
+        pixel(levels, level, [column, row], anisotropic, k as u32)
     });
     let sums = sums.reduce(|| [[0.0; 2]; 2], |a, b| [0, 1].map(|i| [0, 1].map(|j| a[i][j] + b[i][j])));
     sums.map(|[error, all]| if all > 0.0 { (error / all).sqrt() } else { 0.0 })
 }
 
 /// Returns the sums of squares of error and reference, for both ways.
-fn pixel(levels: &Levels, level: usize, [column, row]: [usize; 2], seed: u32) -> [[f64; 2]; 2] {
+fn pixel(
+    levels: &Levels,
+    level: usize,
+    [column, row]: [usize; 2],
+    anisotropic: bool,
+    seed: u32,
+) -> [[f64; 2]; 2] {
     let [width, height] = levels.size(level);
     let lobe = |k: usize| {
         let within = DVec2::new((k % SIDE) as f64 + 0.5, (k / SIDE) as f64 + 0.5) / SIDE as f64;
         let place = DVec2::new(column as f64, row as f64) + within;
         let uv = place / DVec2::new(width as f64, height as f64);
         let [_, roughness, _] = levels.texels.surface(uv);
-        Lobe::new(levels.texels.slope(uv), roughness * roughness)
+        Lobe::isotropic(levels.texels.slope(uv), roughness)
     };
     let lobes: Vec<Lobe> = (0..SIDE * SIDE).map(lobe).collect();
     let reference = |h: Vec3| lobes.iter().map(|lobe| lobe.density(h)).sum::<f32>() / lobes.len() as f32;
     let texel = levels.texel(level, row * width + column);
-    [texel.plain[1], texel.roughness()].map(|roughness| {
-        let one = Lobe::new(texel.slopes.mean, roughness * roughness);
+    let mean = texel.slopes.moments.mean;
+    let filtered = if anisotropic {
+        let (alpha2, along) = texel.alpha2_along();
+        Lobe::new(mean, alpha2.map(f32::sqrt), along)
+    } else {
+        Lobe::isotropic(mean, texel.roughness())
+    };
+    [Lobe::isotropic(mean, texel.plain[1]), filtered].map(|one| {
         let mut sums = [0.0; 2];
         for k in 0..2 * HALVES {
             // The R₂ sequence.

@@ -32,10 +32,11 @@ impl<'de> Deserialize<'de> for Members<'de> {
     }
 }
 
-/// Returns the text of a member of an object.
+/// Returns the text of a member of an object; `None` if it is `null`.
 pub(super) fn member<'a>(object: &'a str, key: &str) -> Result<Option<&'a str>> {
     let Members(members) = serde_json::from_str(object)?;
-    Ok(members.into_iter().rev().find(|(name, _)| name == key).map(|(_, value)| value.get()))
+    let value = members.into_iter().rev().find(|(name, _)| name == key).map(|(_, value)| value.get());
+    Ok(value.filter(|value| *value != "null"))
 }
 
 /// Returns the texts of the items of a list.
@@ -127,6 +128,7 @@ mod tests {
         assert_eq!(set("{ }", &[("a", "1".into()), ("b", "2".into())]).unwrap(), "{\"a\":1,\"b\":2 }");
         assert_eq!(member(&text, "b").unwrap(), Some("[1, 2]"));
         assert_eq!(member(&text, "c").unwrap(), None);
+        assert_eq!(member("{\"c\":\nnull }", "c").unwrap(), None);
         assert!(set("[1]", &[]).is_err() && member("{\"a\":", "a").is_err());
     }
 

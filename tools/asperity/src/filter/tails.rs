@@ -3,19 +3,19 @@
 use asperity_shading::normal_map::SlopeMoments;
 use glam::{Mat2, Vec2};
 
-/// Smallest α₀²: of a roughness of 0.045, at which renderers stop.
-const SMALLEST: f64 = 4e-6;
+/// Smallest α: of a roughness of 0.045, at which renderers stop.
+pub(super) const SHARPEST: f32 = 0.002;
 
 /// The slopes in a texel, with moments to the fourth order.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Spread {
     pub(super) moments: SlopeMoments,
-    pub(super) tails: Tails,
+    tails: Tails,
 }
 
 /// Higher moments of slopes, where d is the difference to the mean.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Tails {
+struct Tails {
     /// The mean of |d|² d.
     third: Vec2,
     /// The mean of |d|⁴.
@@ -55,7 +55,7 @@ impl Spread {
         if fourth <= gaussian || gaussian <= 0.0 {
             return 1.0;
         }
-        let (p, alpha2) = (gaussian / fourth, f64::from(alpha2).max(SMALLEST));
+        let (p, alpha2) = (gaussian / fourth, f64::from(alpha2.max(SHARPEST * SHARPEST)));
         let flat = (p * f64::from(self.tails.third.length()) / variance).powi(2).min(variance);
         let steep = (variance - (1.0 - p) * flat) / p;
         let mean = |lobe| (1.0 - p) * within(lobe / (alpha2 + flat)) + p * within(lobe / (alpha2 + steep));

@@ -3,6 +3,7 @@
 use std::fs;
 use std::io::Read;
 use std::path::Path;
+use std::slice;
 
 use ktx2::Reader;
 use serde_json::json;
@@ -407,6 +408,36 @@ fn maps_in_unknown_formats_are_left() {
 }
 
 #[test]
+fn null_is_a_missing_member() {
+    let nulls = r#""extensionsUsed":null,"materials":[{"normalTexture":{"index":0},"extensions":null,
+        "pbrMetallicRoughness":null}]"#;
+    let (summary, gltf) = filtered(&glb(&[stripes()], nulls), |wanted| wanted.anisotropy = true);
+    // Its roughness is 1.
+    assert!(summary.materials[0].outcome.is_err());
+    let rough = nulls.replace("null}", r#"{"roughnessFactor":0.2,"metallicRoughnessTexture":null}}"#);
+    let (summary, changed) = filtered(&glb(&[stripes()], &rough), |wanted| wanted.anisotropy = true);
+    assert!(summary.materials[0].outcome.is_ok());
+    let used = ["KHR_texture_basisu", "KHR_materials_anisotropy"];
+    assert!(used.iter().all(|name| changed.list("extensionsUsed").iter().any(|used| used == name)));
+    assert!(changed.list("materials")[0]["extensions"]["KHR_materials_anisotropy"].is_object());
+    assert_eq!(gltf.list("extensionsUsed").len(), 0);
+}
+
+/// A file of more texels is filtered in part.
+#[test]
+fn materials_beyond_the_largest_size_are_left() {
+    let bytes = glb(&[stripes()], SLOPED);
+    let folder = tempfile::tempdir().unwrap();
+    let gltf = Container::parse(bytes, folder.path().into()).unwrap();
+    let wanted = options(&folder.path().join("in.glb"), &folder.path().join("out.glb"));
+    let (mut edits, mut files) = (Edits::new(&gltf), Files::new(&wanted).unwrap());
+    let mut materials = Materials::new(&gltf, &wanted);
+    materials.texels = material::MOST_TEXELS - 255;
+    let filtered = materials.filter(0, &mut edits, &mut files, &AtomicBool::new(false)).unwrap().unwrap();
+    assert_eq!(filtered.outcome.unwrap_err(), "the file would have more than 1073741824 new texels");
+}
+
+#[test]
 fn png_lists_every_level() {
     let folder = tempfile::tempdir().unwrap();
     let png = folder.path().join("levels");
@@ -423,18 +454,28 @@ fn png_lists_every_level() {
 #[test]
 fn report_has_the_error_of_the_highlight() {
     // Slopes of one Gaussian, which one lobe fits.
-    let gaussian = png([32, 32], |x, y| {
+    let gaussian = |x: u32, y: u32| {
         let hash = |k: u32| {
             let mixed = (x * 7919 + y * 104_729 + k * 31).wrapping_mul(2_654_435_761);
             f64::from(mixed >> 8) / f64::from(1 << 24)
         };
         let [a, b] = [hash(1).max(1e-3), hash(2)];
         normal(0.1 * (-2.0 * a.ln()).sqrt() * (std::f64::consts::TAU * b).cos())
-    });
-    let (summary, _) = filtered(&glb(&[gaussian], SLOPED), |wanted| wanted.report = true);
+    };
+    let map = png([32, 32], gaussian);
+    let (summary, _) = filtered(&glb(&[map], SLOPED), |wanted| wanted.report = true);
     let [before, after] = summary.materials[0].error.unwrap();
     assert!(after < 0.5 * before, "{before} {after}");
     assert!(summary.lines(true).iter().any(|line| line.contains("error of the highlight")));
+    // Slopes that depend on one axis, which needs a lobe of two widths.
+    let columns = png([32, 32], |x, _| gaussian(x, 0));
+    let error = |anisotropy| {
+        let (summary, _) = filtered(&glb(slice::from_ref(&columns), SLOPED), |wanted| {
+            (wanted.report, wanted.anisotropy) = (true, anisotropy);
+        });
+        summary.materials[0].error.unwrap()[1]
+    };
+    assert!(error(true) < 0.85 * error(false), "{} {}", error(true), error(false));
 }
 
 /// Asserts that a file is refused in one line, and that nothing is written.

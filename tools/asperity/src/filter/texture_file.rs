@@ -98,8 +98,8 @@ fn container(
     file
 }
 
-/// Texels that any file may claim.
-const MOST_TEXELS: usize = 1 << 24;
+/// Texels that any file may claim: 8192 on a side.
+const MOST_TEXELS: usize = 1 << 26;
 
 /// Decodes the first level.
 pub(super) fn decode(bytes: &[u8]) -> Result<ImageFile> {
