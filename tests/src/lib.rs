@@ -12,6 +12,8 @@ pub mod noise_any;
 pub mod noise_errors;
 pub mod noise_kinds;
 pub mod noise_reference;
+#[cfg(doctest)]
+pub mod pages;
 pub mod pinned;
 pub mod random;
 pub mod reference;

@@ -178,6 +178,7 @@ const RESOLVED: [([f32; 2], f32, f32); 6] = [
 ];
 
 #[test]
+#[ignore = "slow: weekly"]
 fn visible_facets_samples_have_the_density_whose_integral_is_one() {
     let densities: Vec<_> = closed_forms().into_iter().chain(tables()).collect();
     let least = 1e-4 / (densities.len() * RESOLVED.len()) as f64;
@@ -193,6 +194,7 @@ fn visible_facets_samples_have_the_density_whose_integral_is_one() {
 }
 
 #[test]
+#[ignore = "slow: weekly"]
 fn visible_facets_of_tables_are_nearly_normalized() {
     const SIDE: usize = 16;
     const POINTS: u16 = 100;

@@ -22,18 +22,9 @@ const FOLDER: &str = "target/blocks";
 /// Marks the feature that a block needs, at the end of a line that starts with `use asperity_`.
 const NEEDS: &str = "// feature `";
 
-/// Runs the examples of every crate with its default features.
-pub(crate) fn crate_examples(root: &Path) -> Result<(), Failure> {
-    let crates = metadata::published(root)?;
-    write_workspace(root, &crates)?;
-    run_examples(root, crates.iter().map(|member| member.name.to_string()))?;
-    say(&format!("  ran the examples of {} crates", crates.len()));
-    Ok(())
-}
-
-/// Runs every Rust block of the README, the guide and the crate pages, with the crates used in the
-/// block.
-pub(crate) fn page_examples(root: &Path) -> Result<(), Failure> {
+/// Runs the examples of every crate with its default features, and every Rust block of the README,
+/// the guide and the crate pages with the crates used in the block.
+pub(crate) fn examples(root: &Path) -> Result<(), Failure> {
     let crates = metadata::published(root)?;
     let pages_folder = write_workspace(root, &crates)?;
     let mut groups = BTreeMap::<Vec<String>, String>::new();
@@ -45,14 +36,14 @@ pub(crate) fn page_examples(root: &Path) -> Result<(), Failure> {
             count += 1;
         }
     }
-    let mut packages = Vec::new();
+    let mut packages: Vec<_> = crates.iter().map(|member| member.name.to_string()).collect();
     for (k, (needed, modules)) in groups.iter().enumerate() {
         let name = format!("pages-{k}");
         write(&pages_folder.join(&name), &page_manifest(&name, needed), modules)?;
         packages.push(name);
     }
     run_examples(root, packages)?;
-    say(&format!("  ran {count} code blocks of pages"));
+    say(&format!("  ran the examples of {} crates and {count} code blocks of pages", crates.len()));
     Ok(())
 }
 
@@ -219,6 +210,15 @@ fn folder_name(member: &Package) -> &str {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn every_page_is_tested_in_the_workspace() {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap();
+        let tested = fs::read_to_string(root.join("tests/src/pages.rs")).unwrap();
+        let pages = pages(root, &metadata::published(root).unwrap()).unwrap();
+        let missing: Vec<_> = pages.iter().filter(|page| !tested.contains(&format!("\"{page}\""))).collect();
+        assert!(missing.is_empty(), "tests/src/pages.rs lacks {missing:?}");
+    }
 
     #[test]
     fn blocks_returns_rust_with_its_line() {
