@@ -12,6 +12,14 @@ import pytest
 from asperity.noise import Fbm, SparseConvolution
 
 
+@pytest.fixture(autouse=True)
+def interrupts():
+    """Background jobs of a shell ignore SIGINT, and so do their children."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
+
+
 @pytest.mark.parametrize("threads", [1, None])
 def test_keyboard_interrupt_stops_an_array_call(threads):
     field = Fbm(SparseConvolution(1, impulses=4), octaves=16)

@@ -173,7 +173,7 @@ class Noise:
         self, name: str, points: npt.ArrayLike, with_gradient: bool, with_hessian: bool, threads: int | None
     ) -> Float32Array | Sample | SampleHessian:
         flat, shape = rows(name, points)
-        arrays = _arrays(*flat.shape, with_gradient, with_hessian)
+        arrays = _arrays(flat.shape[0], flat.shape[1], with_gradient, with_hessian)
         self._field.evaluate(flat, arrays, threads)
         return _result(arrays, shape, flat.shape[1])
 
