@@ -68,14 +68,13 @@ pub const fn joined_len(pieces: &[&str]) -> usize {
 /// ```
 #[must_use]
 pub const fn joined<const N: usize>(pieces: &[&str]) -> [u8; N] {
-    let (mut text, mut n, mut i) = ([0; N], 0, 0);
+    let (mut text, mut i) = ([0; N], 0);
+    let mut rest: &mut [u8] = &mut text;
     while i < pieces.len() {
-        let (piece, mut k) = (pieces[i].as_bytes(), 0);
-        while k < piece.len() {
-            text[n] = piece[k];
-            (n, k) = (n + 1, k + 1);
-        }
-        i += 1;
+        // Compilers run a loop over bytes slowly.
+        let (place, after) = rest.split_at_mut(pieces[i].len());
+        place.copy_from_slice(pieces[i].as_bytes());
+        (rest, i) = (after, i + 1);
     }
     text
 }

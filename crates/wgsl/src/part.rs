@@ -144,11 +144,8 @@ impl Element {
 /// Defines a part of this crate from its file under `wgsl/`, the structs that its crate declares,
 /// and its dependencies.
 macro_rules! part {
-    ($name:expr $(, [$($struct:ty),+])? $(, $need:ident $(. $field:ident)?)* $(,)?) => {{
-        const PIECES: &[&str] = &[
-            include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/src/wgsl/", $name, ".wgsl")),
-            $($("\n", <$struct>::WGSL),+)?
-        ];
+    ($name:expr, [$($struct:ty),+] $(, $need:ident $(. $field:ident)?)* $(,)?) => {{
+        const PIECES: &[&str] = &[$crate::part::file!($name) $(, "\n", <$struct>::WGSL)+];
         const TEXT: [u8; asperity_core::gpu::joined_len(PIECES)] = asperity_core::gpu::joined(PIECES);
         const SOURCE: &str = match core::str::from_utf8(&TEXT) {
             Ok(source) => source,
@@ -156,6 +153,17 @@ macro_rules! part {
         };
         $crate::part::Part::new($name, SOURCE, &[$(&$need $(. $field)?),*])
     }};
+    ($name:expr $(, $need:ident $(. $field:ident)?)* $(,)?) => {
+        $crate::part::Part::new($name, $crate::part::file!($name), &[$(&$need $(. $field)?),*])
+    };
 }
 
+/// The text of a file under `wgsl/`.
+macro_rules! file {
+    ($name:expr) => {
+        include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/src/wgsl/", $name, ".wgsl"))
+    };
+}
+
+pub(crate) use file;
 pub(crate) use part;

@@ -265,7 +265,7 @@ fn transforms_and_wrap_modes() {
         let rest = format!(
             r#""samplers":[{{"wrapS":{wrap},"wrapT":{wrap},"minFilter":9729}}],"textures":[{{"source":0,"sampler":0}}],{SLOPED}"#
         );
-        let (_, gltf) = filtered(&glb(std::slice::from_ref(&ramp), &rest), |_| {});
+        let (_, gltf) = filtered(&glb(slice::from_ref(&ramp), &rest), |_| {});
         // The copy has mip levels, the original none.
         let [plain, copy] = [0, 1].map(|k| gltf.list("samplers")[k].clone());
         assert_eq!(

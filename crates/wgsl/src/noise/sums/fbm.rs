@@ -3,38 +3,66 @@
 
 /// The length of a template with its placeholders replaced.
 pub(crate) const fn size(template: &str, words: &[(u8, &str)]) -> usize {
-    let (text, mut i, mut size) = (template.as_bytes(), 0, 0);
+    let (text, mut size) = (template.as_bytes(), template.len());
+    let mut i = plain(text, 0, words);
     while i < text.len() {
-        size += word(text, i, words).len();
-        i += 1;
+        size = size - 1 + word(text[i], words).len();
+        i = plain(text, i + 1, words);
     }
     size
 }
 
 /// A template with its placeholders replaced by words.
 pub(crate) const fn filled<const N: usize>(template: &str, words: &[(u8, &str)]) -> [u8; N] {
-    let (text, mut out, mut i, mut n) = (template.as_bytes(), [0; N], 0, 0);
+    let (text, mut out, mut i) = (template.as_bytes(), [0; N], 0);
+    let mut rest: &mut [u8] = &mut out;
     while i < text.len() {
-        let (word, mut k) = (word(text, i, words), 0);
-        while k < word.len() {
-            out[n] = word[k];
-            (n, k) = (n + 1, k + 1);
+        let end = plain(text, i, words);
+        let part = text.split_at(end).0.split_at(i).1;
+        let (place, after) = rest.split_at_mut(part.len());
+        place.copy_from_slice(part);
+        rest = after;
+        if end < text.len() {
+            let word = word(text[end], words).as_bytes();
+            let (place, after) = rest.split_at_mut(word.len());
+            place.copy_from_slice(word);
+            rest = after;
         }
-        i += 1;
+        i = end + 1;
     }
     out
 }
 
-/// The word for the placeholder at byte `i`, or the byte itself.
-const fn word<'a>(text: &'a [u8], i: usize, words: &[(u8, &'a str)]) -> &'a [u8] {
+/// The index of the first placeholder from `i` on.
+const fn plain(text: &[u8], mut i: usize, words: &[(u8, &str)]) -> usize {
+    while i < text.len() {
+        // Compilers run this loop slowly, so that most bytes are compared once.
+        if !matches!(text[i], b'a'..=b'z' | b' ' | b'0'..=b'9' | b'\n') && is_mark(text[i], words) {
+            return i;
+        }
+        i += 1;
+    }
+    i
+}
+
+const fn is_mark(byte: u8, words: &[(u8, &str)]) -> bool {
     let mut k = 0;
     while k < words.len() {
-        if words[k].0 == text[i] {
-            return words[k].1.as_bytes();
+        if words[k].0 == byte {
+            return true;
         }
         k += 1;
     }
-    text.split_at(i).1.split_at(1).0
+    false
+}
+
+/// The word for a placeholder.
+const fn word<'a>(mark: u8, words: &[(u8, &'a str)]) -> &'a str {
+    let mut k = 0;
+    while words[k].0 != mark {
+        k += 1;
+    }
+    words[k].1
 }
 
 /// A part from a template: `#` is the dimension, `~` describes it, `@` and `%` are the cell and the
