@@ -65,7 +65,7 @@ def test_lost_variance_becomes_roughness(tmp_path: Path) -> None:
 
 
 def test_errors_are_one_line_and_leave_no_file(tmp_path: Path) -> None:
-    with pytest.raises(ValueError, match="nowhere.glb"):
+    with pytest.raises(FileNotFoundError, match="nowhere.glb"):
         asperity.filter(tmp_path / "nowhere.glb", tmp_path / "out.glb")
     with pytest.raises(ValueError, match="`format` must be uastc or zstd, got `png`"):
         asperity.filter(model(tmp_path), tmp_path / "out.gltf", format="png")  # type: ignore[arg-type]

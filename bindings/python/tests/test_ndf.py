@@ -149,7 +149,6 @@ def test_estimates(tmp_path):
         (lambda: ndf.from_array(np.zeros((8, 8))), "`texels` must have weight above the horizon, got none"),
         (lambda: ndf.from_array(np.zeros(8)), r"`texels` must have the shape \(height, width\), got \(8,\)"),
         (lambda: ndf.from_array(np.ones((8, 8)), measure="x"), "`measure` must be normals or solid_angle, got `x`"),
-        (lambda: ndf.from_image("nowhere.png"), "nowhere.png"),
         (lambda: ndf.estimate(np.zeros((3, 4))), r"`normals` must have the shape"),
         (lambda: ndf.estimate(np.full((3, 3), np.nan)), "."),
         (lambda: ndf.isotropic([1]), "."),
@@ -159,3 +158,9 @@ def test_errors(call, message):
     with pytest.raises(ValueError, match=message) as error:
         call()
     assert "\n" not in str(error.value)
+
+
+@pytest.mark.parametrize("read", [ndf.from_image, ndf.from_normal_map])
+def test_missing_files(read):
+    with pytest.raises(FileNotFoundError):
+        read("nowhere.png")

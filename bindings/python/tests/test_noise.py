@@ -185,7 +185,9 @@ def test_curl_has_no_divergence():
         (lambda: Fbm(Perlin(1), max_octaves=17), "`max_octaves` must be between 1 and 16, got 17"),
         (lambda: Fbm(Perlin(1, period=4)), "the field of a sum must not be tiled: pass `period` to the sum"),
         (lambda: Simplex(1, period=3)(np.zeros((1, 2))), "simplex noise in 2-D has no period (1-D and 3-D have)"),
-        (lambda: Perlin(1, period=0)(np.zeros((1, 2))), "`periods[0]` must be between 1 and 2097152, got 0"),
+        (lambda: Perlin(1, period=0), "`period` of axis 0 must be between 1 and 2097152, got 0"),
+        (lambda: Perlin(1).grid((2, 2), np.nan), "`step` must be finite, got nan"),
+        (lambda: Perlin(1).grid((2, 2), None), "`step` must be an array of real numbers, got dtype object"),
         (lambda: Perlin(1).warp([Value(1)] * 3, 1)(np.zeros((1, 2))), "`by` must be one field or 2 in 2-D, got 3"),
         (lambda: Perlin(1).warp(Value(1), np.inf), "`strength` must be finite, got inf"),
         (lambda: Perlin(1.5), "`seed` must be an integer, got 1.5"),
@@ -200,6 +202,26 @@ def test_errors(call, message):
     with pytest.raises(ValueError) as error:
         call()
     assert str(error.value) == message
+
+
+@pytest.mark.parametrize(
+    ("call", "message"),
+    [
+        (lambda: Fbm(1), "`noise` must be a noise, got 1"),
+        (lambda: Perlin(1).warp(None, 1), "`by` must be a noise, got None"),
+        (lambda: Perlin(1).blend("x", 0.5), "`other` must be a noise, got 'x'"),
+    ],
+)
+def test_wrong_types(call, message):
+    with pytest.raises(TypeError) as error:
+        call()
+    assert str(error.value) == message
+
+
+def test_constants_are_noises_of_a_blend():
+    p = np.random.default_rng(3).uniform(-3, 3, (50, 2))
+    half = Perlin(1).blend(1.0, 0.5)(p)
+    assert np.allclose(half, 0.5 + 0.5 * Perlin(1)(p), atol=1e-6)
 
 
 def test_too_many_points():

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import operator
+import os
 from collections.abc import Iterable, Sequence
 from typing import Any, SupportsIndex
 
@@ -19,6 +20,12 @@ def real(name: str, numbers: npt.ArrayLike) -> npt.NDArray[Any]:
     if array.dtype.kind not in "fiub":
         raise ValueError(f"`{name}` must be an array of real numbers, got dtype {array.dtype}")
     return array
+
+
+def readable(path: str | os.PathLike[str]) -> None:
+    """Raises the ``OSError`` of a file that cannot be read."""
+    with open(path, "rb"):
+        pass
 
 
 def rows(name: str, numbers: npt.ArrayLike, columns: int | None = None) -> tuple[Float32Array, tuple[int, ...]]:

@@ -6,6 +6,7 @@ import os
 from typing import Literal, NamedTuple
 
 from . import _asperity
+from ._arrays import readable
 
 
 class FilteredLevel(NamedTuple):
@@ -56,6 +57,7 @@ def filter(  # noqa: A001
     variance becomes roughness in a new texture with explicit mip levels; everything else keeps its
     bytes. Keywords are the options of ``asperity filter``. Nothing is written if anything fails.
     """
+    readable(path)
     materials, files = _asperity.filter(path, out, format, anisotropy, png, report)
     return FilteredModel(
         [

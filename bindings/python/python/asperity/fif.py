@@ -20,7 +20,8 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _asperity
-from ._arrays import Float64Array, flat64, real
+from ._arrays import Float64Array, flat64, integers, real
+from ._recorded import Recorded, recorded
 
 __all__ = [
     "Bounded",
@@ -68,7 +69,7 @@ class Extrema(NamedTuple):
     at_maximum: tuple[float, float]
 
 
-class Fif:
+class Fif(Recorded):
     """A fractal interpolation function f with f(L_j(x)) = α_j f(x) + q_j(x)."""
 
     __slots__ = ("_fif",)
@@ -149,10 +150,12 @@ class Fif:
         flat, shape = flat64("x", x)
         return self._fif.conditioning(flat.reshape(-1, 1)).reshape(shape)
 
+    @recorded
     def integral(self, y0: float = 0.0) -> Fif:
         """The integral as a function, with the value ``y0`` at the first knot."""
         return _made(self._fif.integral(y0))
 
+    @recorded
     def derivative(self) -> Fif:
         """The derivative as a function, or a ``ValueError`` if the function is not differentiable."""
         return _made(self._fif.derivative())
@@ -206,6 +209,7 @@ def _scalings(scaling: Scaling, maps: int) -> list[float]:
     return [float(array)] * max(maps, 0) if array.ndim == 0 else _list("scaling", array)
 
 
+@recorded
 def affine(x: npt.ArrayLike, y: npt.ArrayLike, scaling: Scaling = 0.0) -> Fif:
     """The function through points, with one vertical scaling for all maps or one for each.
 
@@ -215,6 +219,7 @@ def affine(x: npt.ArrayLike, y: npt.ArrayLike, scaling: Scaling = 0.0) -> Fif:
     return _made(_asperity.Fif.affine(knots, _list("y", y), _scalings(scaling, len(knots) - 1)))
 
 
+@recorded
 def hermite(x: npt.ArrayLike, y: npt.ArrayLike, slope: npt.ArrayLike, scaling: Scaling = 0.0) -> Fif:
     """The differentiable function through points with slopes, of degree 3."""
     knots = _list("x", x)
@@ -222,6 +227,7 @@ def hermite(x: npt.ArrayLike, y: npt.ArrayLike, slope: npt.ArrayLike, scaling: S
     return _made(_asperity.Fif.hermite(knots, _list("y", y), _list("slope", slope), scalings))
 
 
+@recorded
 def polynomial(x: npt.ArrayLike, scaling: Scaling, polynomials: npt.ArrayLike) -> Fif:
     """The function with a polynomial for every map, shape ``(maps, coefficients)``, constants first."""
     knots, rows = _list("x", x), real("polynomials", polynomials)
@@ -250,9 +256,10 @@ def fit(x: npt.ArrayLike, y: npt.ArrayLike, knots: Sequence[int], *, steps: int 
 
     ``steps`` of refinement minimize the error itself in place of the error of the collage.
     """
-    if steps < 0 or any(k < 0 for k in knots):
+    indices = integers("knots", knots)
+    if steps < 0 or any(k < 0 for k in indices):
         raise ValueError("`knots` and `steps` must be at least 0")
-    function, numbers = _asperity.Fif.fit(_list("x", x), _list("y", y), [int(k) for k in knots], steps)
+    function, numbers = _asperity.Fif.fit(_list("x", x), _list("y", y), indices, steps)
     return Fit(_made(function), *numbers)
 
 
@@ -278,7 +285,7 @@ class Hits(NamedTuple):
     """Whether the hit is proved to be the first."""
 
 
-class Surface:
+class Surface(Recorded):
     """A fractal height field z = h(x, y)."""
 
     __slots__ = ("_surface",)
@@ -353,11 +360,13 @@ def _made_surface(surface: _asperity.Surface) -> Surface:
     return made
 
 
+@recorded
 def product_surface(f: Fif, g: Fif) -> Surface:
     """The surface f(x) g(y), with exact normals if both functions are differentiable."""
     return _made_surface(_asperity.Surface.product(f._fif, g._fif))
 
 
+@recorded
 def periodic_surface(
     heights: npt.ArrayLike,
     *,
@@ -378,6 +387,7 @@ def periodic_surface(
     return _made_surface(surface)
 
 
+@recorded
 def folded_surface(
     x: npt.ArrayLike,
     y: npt.ArrayLike,

@@ -22,7 +22,8 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _asperity
-from ._arrays import Float32Array, joined, real, rows, shaped
+from ._arrays import Float32Array, joined, readable, real, rows, shaped
+from ._recorded import Recorded, recorded
 
 __all__ = [
     "Ndf",
@@ -41,7 +42,7 @@ __all__ = [
 ]
 
 
-class Ndf:
+class Ndf(Recorded):
     """A normal distribution function D with its bijection T from Gaussian pairs to normals.
 
     Every method takes arrays of any shape, broadcasts them, and accepts every number; a wrong
@@ -99,11 +100,13 @@ class Ndf:
         """
         return self._evaluate("residual_ndf", 0, threads, ("h", h, 3), ("z", z, 2), ("variance", variance, 0))
 
+    @recorded
     def conditional(self, z: Sequence[float] | npt.NDArray[np.floating], variance: float) -> Ndf:
         """The distribution of unresolved bumps at one place, see :meth:`residual_ndf`."""
         first, second = (float(x) for x in z)
         return _made(self._ndf.conditional((first, second), variance), f"{self}.conditional({z}, {variance})")
 
+    @recorded
     def rotated(self, angle: float) -> Ndf:
         """The distribution rotated by an angle in radians, from x towards y."""
         return _made(self._ndf.rotated(angle), f"{self}.rotated({angle})")
@@ -148,51 +151,61 @@ def _made(ndf: _asperity.Ndf, text: str) -> Ndf:
 
 
 def _formula(name: str, *parameters: float) -> Ndf:
-    text = ", ".join(f"{x:g}" for x in parameters)
-    return _made(_asperity.Ndf.formula(name, list(parameters)), f"{name}({text})")
+    numbers = [float(x) for x in parameters]
+    text = ", ".join(f"{x:g}" for x in numbers)
+    return _made(_asperity.Ndf.formula(name, numbers), f"{name}({text})")
 
 
+@recorded
 def ggx(alpha_x: float, alpha_y: float | None = None) -> Ndf:
     """The GGX (Trowbridge–Reitz) distribution; isotropic without ``alpha_y``."""
     return _formula("ggx", alpha_x, alpha_x if alpha_y is None else alpha_y)
 
 
+@recorded
 def beckmann(alpha_x: float, alpha_y: float | None = None) -> Ndf:
     """The Beckmann distribution: Gaussian slopes."""
     return _formula("beckmann", alpha_x, alpha_x if alpha_y is None else alpha_y)
 
 
+@recorded
 def ward(alpha_x: float, alpha_y: float | None = None) -> Ndf:
     """The distribution of Ward's reflection model."""
     return _formula("ward", alpha_x, alpha_x if alpha_y is None else alpha_y)
 
 
+@recorded
 def student_t(alpha_x: float, alpha_y: float, gamma: float) -> Ndf:
     """The Student-t distribution; ``gamma`` 2 is GGX, and infinity the limit Beckmann."""
     return _formula("student_t", alpha_x, alpha_y, gamma)
 
 
+@recorded
 def blinn_phong(exponent: float) -> Ndf:
     """The distribution of Blinn and Phong, cosⁿ θ."""
     return _formula("blinn_phong", exponent)
 
 
+@recorded
 def ashikhmin_shirley(n_u: float, n_v: float) -> Ndf:
     """The anisotropic distribution of Ashikhmin and Shirley with two exponents."""
     return _formula("ashikhmin_shirley", n_u, n_v)
 
 
+@recorded
 def painted() -> Ndf:
     """Two lobes and a diffuse floor, as an artist could paint them."""
     return _made(_asperity.Ndf.painted(), "painted()")
 
 
+@recorded
 def isotropic(values: npt.ArrayLike) -> Ndf:
     """An isotropic distribution proportional to values at equally spaced cosines, 0 first."""
     numbers = real("values", values).ravel()
     return _made(_asperity.Ndf.isotropic([float(x) for x in numbers]), f"isotropic(<{numbers.size} values>)")
 
 
+@recorded
 def from_array(
     texels: npt.ArrayLike,
     *,
@@ -219,6 +232,7 @@ def from_image(
     reconstruction: Literal["constant", "bilinear"] = "constant",
 ) -> Ndf:
     """A distribution from the gray values of an image file: PNG, JPEG, WebP, HDR or EXR."""
+    readable(path)
     return _made(_asperity.Ndf.from_image(path, measure, reconstruction), f"from_image({os.fspath(path)!r})")
 
 
@@ -229,6 +243,7 @@ def from_normal_map(
     blue: Literal["z", "unused"] | None = None,
 ) -> Ndf:
     """The distribution of the normals of a normal map file."""
+    readable(path)
     ndf = _asperity.Ndf.from_normal_map(path, tangent_space, blue)
     return _made(ndf, f"from_normal_map({os.fspath(path)!r})")
 

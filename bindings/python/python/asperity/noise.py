@@ -23,8 +23,9 @@ from typing import ClassVar, Literal, NamedTuple, Union, overload
 import numpy as np
 import numpy.typing as npt
 
-from ._arrays import Float32Array, integers, rows, seed32
+from ._arrays import Float32Array, integers, real, rows, seed32
 from ._asperity import Field
+from ._recorded import Recorded, recorded, text_of
 
 __all__ = [
     "Cellular",
@@ -69,7 +70,7 @@ class SampleHessian(NamedTuple):
     """Second derivatives, shape ``(..., N, N)``, symmetric bit for bit."""
 
 
-class Noise:
+class Noise(Recorded):
     """A random function of points with its gradient.
 
     Noises are made by the classes of kinds, such as :class:`Perlin`, by sums such as :class:`Fbm`,
@@ -238,6 +239,7 @@ class Noise:
         """Lower and upper bound of the values in 1 to 4 dimensions, infinite if unknown."""
         return self._field.range(dimension)
 
+    @recorded
     def __add__(self, other: Noise | float) -> Noise:
         if isinstance(other, Noise):
             return _made(self._field.add(other._field), f"({self} + {other})")
@@ -252,6 +254,7 @@ class Noise:
     def __rsub__(self, other: float) -> Noise:
         return self.scale(-1.0, other)
 
+    @recorded
     def __mul__(self, other: Noise | float) -> Noise:
         if isinstance(other, Noise):
             return _made(self._field.multiply(other._field), f"({self} * {other})")
@@ -266,44 +269,53 @@ class Noise:
     def __neg__(self) -> Noise:
         return self.scale(-1.0)
 
+    @recorded
     def __pow__(self, exponent: int) -> Noise:
         if not 0 <= exponent <= 255:
             raise ValueError(f"`exponent` must be between 0 and 255, got {exponent}")
         return _made(self._field.power(exponent), f"{self} ** {exponent}")
 
+    @recorded
     def scale(self, factor: float, offset: float = 0.0) -> Noise:
         """``factor * value + offset``."""
         return _made(self._field.scale_bias(factor, offset), f"{self}.scale({factor}, {offset})")
 
+    @recorded
     def clamp(self, low: float, high: float) -> Noise:
         """Values clamped to two bounds; the gradient is 0 where it clamps."""
         return _made(self._field.clamp(low, high), f"{self}.clamp({low}, {high})")
 
+    @recorded
     def unit(self) -> Noise:
         """Values mapped from the range of the noise to [0, 1]; 0.5 if the range is unknown."""
         return _made(self._field.unit(), f"{self}.unit()")
 
-    def blend(self, other: Noise, weight: Noise) -> Noise:
+    @recorded
+    def blend(self, other: Noise | float, weight: Noise | float) -> Noise:
         """``self + weight * (other - self)``; the weight is not clamped."""
-        return _made(self._field.blend(other._field, weight._field), f"{self}.blend({other}, {weight})")
+        other, weight = (self.scale(0.0, x) if isinstance(x, (int, float)) else x for x in (other, weight))
+        field = self._field.blend(_field("other", other), _field("weight", weight))
+        return _made(field, f"{self}.blend({other}, {weight})")
 
+    @recorded
     def at_frequency(self, frequency: float) -> Noise:
         """The noise at points times a frequency."""
         if not math.isfinite(frequency):
             raise ValueError(f"`frequency` must be finite, got {frequency}")
         return _made(self._field.at_frequency(frequency), f"{self}.at_frequency({frequency})")
 
+    @recorded
     def warp(self, by: Noise | Sequence[Noise], strength: float) -> Noise:
         """The noise at points displaced by ``strength`` times the values of other noises.
 
         ``by`` is one noise per coordinate. A single noise displaces x as it is, and the other
         coordinates with seeds derived from its own.
         """
-        fields = [by] if isinstance(by, Noise) else list(by)
+        fields = list(by) if isinstance(by, Sequence) else [by]
         if not fields:
             raise ValueError("`by` must be one noise or one per coordinate, got 0")
         text = repr(by) if isinstance(by, Noise) else repr(fields)
-        field = self._field.warp([field._field for field in fields], strength)
+        field = self._field.warp([_field("by", field) for field in fields], strength)
         return _made(field, f"{self}.warp({text}, {strength})")
 
 
@@ -311,6 +323,12 @@ def _made(field: Field, text: str) -> Noise:
     noise = object.__new__(Noise)
     noise._field, noise._text = field, text
     return noise
+
+
+def _field(name: str, noise: object) -> Field:
+    if not isinstance(noise, Noise):
+        raise TypeError(f"`{name}` must be a noise, got {noise!r}")
+    return noise._field
 
 
 def _arrays(count: int, dimension: int, with_gradient: bool, with_hessian: bool) -> list[Float32Array]:
@@ -329,8 +347,10 @@ def _result(
 
 
 def _axes(name: str, numbers: float | Sequence[float], dimension: int) -> list[float]:
-    axes = np.broadcast_to(np.asarray(numbers, dtype=np.float64), (dimension,)) if np.ndim(numbers) == 0 else numbers
-    return [float(x) for x in axes]  # type: ignore[union-attr]
+    array = real(name, numbers)
+    if not np.isfinite(array).all():
+        raise ValueError(f"`{name}` must be finite, got {numbers}")
+    return [float(x) for x in (np.broadcast_to(array, dimension) if array.ndim == 0 else array.ravel())]
 
 
 def _anchor(anchor: Anchor, frequency: float) -> list[float] | None:
@@ -345,8 +365,8 @@ def _periods(periods: Period) -> list[int] | None:
         return None
     numbers = integers("period", periods)
     for axis, period in enumerate(numbers):
-        if not 0 <= period < 2**32:
-            raise ValueError(f"`periods[{axis}]` must be between 1 and 2097152, got {period}")
+        if not 1 <= period <= 2**21:
+            raise ValueError(f"`period` of axis {axis} must be between 1 and 2097152, got {period}")
     return numbers
 
 
@@ -390,8 +410,7 @@ class _Kind(Noise):
             classic=classic,
         )
         self._field = _with_frequency(field, frequency)
-        extra = "" if frequency == 1.0 else f", frequency={frequency}"
-        self._text = f"{type(self).__name__}(seed={seed}{extra})"
+        self._text = text_of(self)
 
 
 def _with_frequency(field: Field, frequency: float) -> Field:
@@ -571,7 +590,7 @@ class Fbm(Noise):
             noise, octaves, lacunarity, gain, max_octaves, shape, normalization, rotation, None, footprint,
             frequency, period, anchor,
         )  # fmt: skip
-        self._text = f"Fbm({noise})"
+        self._text = text_of(self)
 
 
 class RidgedMultifractal(Noise):
@@ -601,7 +620,7 @@ class RidgedMultifractal(Noise):
             noise, octaves, lacunarity, gain, max_octaves, "signed", None, rotation, feedback, 0.0,
             frequency, period, anchor,
         )  # fmt: skip
-        self._text = f"RidgedMultifractal({noise})"
+        self._text = text_of(self)
 
 
 def _sum(
@@ -629,7 +648,7 @@ def _sum(
         raise ValueError(f"`max_octaves` must be between 1 and 16, got {max_octaves}")
     if lacunarity is None:
         lacunarity = 2.17 if period is None else 2.0
-    field = noise._field.fbm(
+    field = _field("noise", noise).fbm(
         octaves=octaves,
         lacunarity=lacunarity,
         gain=gain,

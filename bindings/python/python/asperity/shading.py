@@ -23,6 +23,7 @@ import numpy.typing as npt
 
 from . import _asperity
 from ._arrays import Float32Array, joined, shaped
+from ._recorded import Recorded, recorded
 from .ndf import Ndf
 
 __all__ = [
@@ -66,7 +67,7 @@ class Samples(NamedTuple):
         return np.divide(self.eval_cos, pdf, out=np.zeros_like(self.eval_cos), where=pdf > 0)
 
 
-class Bsdf:
+class Bsdf(Recorded):
     """A bidirectional scattering distribution function in the frame of the surface."""
 
     __slots__ = ("_bsdf", "_text")
@@ -123,62 +124,79 @@ def _color(name: str, color: Color) -> tuple[float, float, float]:
     return red, green, blue
 
 
+def _microfacets(ndf: object) -> _asperity.Ndf:
+    if not isinstance(ndf, Ndf):
+        raise TypeError(f"`ndf` must be a distribution of asperity.ndf, got {ndf!r}")
+    return ndf._ndf
+
+
+@recorded
 def lambert(albedo: Color) -> Bsdf:
     """Diffuse reflection, albedo/π."""
     return _made(_asperity.Bsdf.lambert(_color("albedo", albedo)), f"lambert({albedo})")
 
 
+@recorded
 def oren_nayar(albedo: Color, roughness: float) -> Bsdf:
     """Energy-preserving Oren–Nayar reflection (EON) with a roughness in [0, 1]."""
     bsdf = _asperity.Bsdf.oren_nayar(_color("albedo", albedo), roughness)
     return _made(bsdf, f"oren_nayar({albedo}, {roughness})")
 
 
+@recorded
 def phong(specular: Color, exponent: float) -> Bsdf:
     """Normalized Phong reflection."""
     return _made(_asperity.Bsdf.phong(_color("specular", specular), exponent), f"phong({specular}, {exponent})")
 
 
+@recorded
 def charlie_sheen(color: Color, alpha: float) -> Bsdf:
     """Sheen of cloth after Estevez and Kulla."""
     bsdf = _asperity.Bsdf.charlie_sheen(_color("color", color), alpha)
     return _made(bsdf, f"charlie_sheen({color}, {alpha})")
 
 
+@recorded
 def zeltner_fuzz(color: Color, alpha: float) -> Bsdf:
     """Fuzz of cloth by linearly transformed cosines, after Zeltner, Burley and Chiang."""
     return _made(_asperity.Bsdf.zeltner_fuzz(_color("color", color), alpha), f"zeltner_fuzz({color}, {alpha})")
 
 
+@recorded
 def metal(ndf: Ndf, f0: Color) -> Bsdf:
     """Microfacet mirrors with any distribution and the reflectance ``f0`` at normal incidence."""
-    return _made(_asperity.Bsdf.metal(ndf._ndf, _color("f0", f0)), f"metal({ndf}, {f0})")
+    return _made(_asperity.Bsdf.metal(_microfacets(ndf), _color("f0", f0)), f"metal({ndf}, {f0})")
 
 
+@recorded
 def conductor(ndf: Ndf, eta: Color, k: Color) -> Bsdf:
     """Microfacet mirrors with the index of refraction eta + i k per channel."""
-    bsdf = _asperity.Bsdf.conductor(ndf._ndf, _color("eta", eta), _color("k", k))
+    bsdf = _asperity.Bsdf.conductor(_microfacets(ndf), _color("eta", eta), _color("k", k))
     return _made(bsdf, f"conductor({ndf}, {eta}, {k})")
 
 
+@recorded
 def dielectric(ndf: Ndf, ior: float, *, thin: Color | None = None) -> Bsdf:
     """Rough glass with a relative index of refraction; ``thin`` is the tint of a thin pane."""
     tint = None if thin is None else _color("thin", thin)
-    return _made(_asperity.Bsdf.dielectric(ndf._ndf, ior, tint), f"dielectric({ndf}, {ior})")
+    return _made(_asperity.Bsdf.dielectric(_microfacets(ndf), ior, tint), f"dielectric({ndf}, {ior})")
 
 
+@recorded
 def ggx_metal(alpha_x: float, alpha_y: float | None = None, *, f0: Color) -> Bsdf:
     """GGX mirrors with every bounce between facets."""
     alpha_y = alpha_x if alpha_y is None else alpha_y
     return _made(_asperity.Bsdf.ggx_metal(alpha_x, alpha_y, _color("f0", f0)), f"ggx_metal({alpha_x}, {alpha_y})")
 
 
+@recorded
 def ggx_glass(alpha_x: float, alpha_y: float | None = None, *, ior: float) -> Bsdf:
     """Rough GGX glass with every bounce: reflection plus transmission is 1."""
     alpha_y = alpha_x if alpha_y is None else alpha_y
     return _made(_asperity.Bsdf.ggx_glass(alpha_x, alpha_y, ior), f"ggx_glass({alpha_x}, {alpha_y}, {ior})")
 
 
+@recorded
 def standard_material(**parameters: Any) -> Bsdf:
     """The material of glTF 2.0 with its extensions.
 
@@ -190,6 +208,7 @@ def standard_material(**parameters: Any) -> Bsdf:
     return _made(_asperity.Bsdf.standard_material(_json(parameters)), f"standard_material(**{parameters})")
 
 
+@recorded
 def open_pbr(**parameters: Any) -> Bsdf:
     """The material of OpenPBR Surface 1.1; keywords are the parameters of the specification."""
     return _made(_asperity.Bsdf.open_pbr(_json(parameters)), f"open_pbr(**{parameters})")
