@@ -1,5 +1,7 @@
 //! Noise chosen by options: octaves of a kind in the plane.
 
+use std::fmt::Display;
+
 use asperity_noise::{
     Billow, Cellular, CellularOutput, Fbm, FbmSpectrum, Field, GaussianNoise, Metric, Perlin, Point, Ridged,
     Sample, Shape, Signed, Simplex, SparseConvolution, Turbulence, ValueNoise, WhiteNoise,
@@ -7,10 +9,15 @@ use asperity_noise::{
 use glam::{Vec2, Vec3};
 
 use crate::cli::noise::{NoiseKind, Sum};
-use crate::failure::Result;
+use crate::failure::{Failure, Result};
 
 /// A field chosen at run time.
 pub(crate) type Chosen = Box<dyn Field<Vec2> + Send + Sync>;
+
+/// An error of tiles in the words of the options.
+pub(crate) fn tile_error(error: &dyn Display) -> Failure {
+    format!("`--tileable`: {}", error.to_string().replace("`periods[0]`", "`--cells`")).into()
+}
 
 /// A sum of octaves of a noise.
 #[derive(Clone, Copy, Debug)]

@@ -10,7 +10,7 @@ use rayon::prelude::*;
 
 use crate::cli::noise::{Noise, NoiseKind, Sum};
 use crate::failure::{Interrupted, Result};
-use crate::fields::{Chosen, Octaves};
+use crate::fields::{Chosen, Octaves, tile_error};
 use crate::output::Output;
 use crate::progress;
 
@@ -116,7 +116,7 @@ fn samples(wanted: &Noise, interrupted: &AtomicBool) -> Result<Samples> {
             seed,
         };
         octaves.field(periods).map_err(|error| match wanted.tileable {
-            true => format!("`--tileable`: {error}").into(),
+            true => tile_error(&error),
             false => error,
         })
     };

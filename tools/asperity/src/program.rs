@@ -3,7 +3,6 @@
 use std::io::Write;
 use std::sync::atomic::AtomicBool;
 
-use clap::Parser;
 use clap::error::ErrorKind;
 
 pub use crate::bake::arrays::Array;
@@ -21,7 +20,7 @@ pub fn run(invocation: &Invocation, interrupted: &AtomicBool) -> u8 {
         let _ = writeln!(std::io::stderr(), "error: {}", progress::one_line(said));
         code
     };
-    let cli = match Cli::try_parse_from(&invocation.words) {
+    let cli = match Cli::of_words(&invocation.words) {
         Ok(cli) => cli,
         Err(error) => match line_of(&error) {
             Some(line) => return fail(&line, 2),
@@ -32,7 +31,7 @@ pub fn run(invocation: &Invocation, interrupted: &AtomicBool) -> u8 {
         },
     };
     if let Some(jobs) = cli.jobs
-        && let Err(error) = rayon::ThreadPoolBuilder::new().num_threads(jobs.into()).build_global()
+        && let Err(error) = rayon::ThreadPoolBuilder::new().num_threads(jobs as usize).build_global()
     {
         return fail(&error.to_string(), 1);
     }
@@ -47,7 +46,7 @@ pub fn run(invocation: &Invocation, interrupted: &AtomicBool) -> u8 {
 /// Work stops soon after `interrupted` is set.
 pub fn bake_arrays(options: &[String], interrupted: &AtomicBool) -> Result<Vec<Array>, Failure> {
     let words = ["asperity", "bake"].into_iter().chain(options.iter().map(String::as_str));
-    match Cli::try_parse_from(words) {
+    match Cli::of_words(words) {
         Ok(Cli { command: Command::Bake(wanted), .. }) => bake::arrays::arrays(&wanted, interrupted),
         Ok(_) => Err("expected the options of `bake`".into()),
         Err(error) => Err(line_of(&error).unwrap_or_default().into()),
@@ -110,7 +109,7 @@ fn perform(command: Command, invocation: &Invocation, interrupted: &AtomicBool) 
 mod tests {
     use std::{fs, path::Path};
 
-    use clap::CommandFactory;
+    use clap::{CommandFactory, Parser};
 
     use super::*;
 
@@ -147,8 +146,14 @@ mod tests {
                 "render --mesh a.obj --fov -5",
                 "invalid value '-5' for '--fov <DEGREES>': must be an angle from 0.1 to 170 degrees",
             ),
+            (
+                "noise --seed -1",
+                "invalid value '-1' for '--seed <SEED>': must be an integer from 0 to 4294967295",
+            ),
+            ("noise --jobs 0", "invalid value '0' for '--jobs <N>': must be an integer from 1 to 1024"),
+            ("shader --group -1", "invalid value '-1' for '--group <GROUP>': must be an integer from 0 to 3"),
         ] {
-            let error = Cli::try_parse_from(["asperity"].into_iter().chain(line.split(' '))).err().unwrap();
+            let error = Cli::of_words(["asperity"].into_iter().chain(line.split(' '))).err().unwrap();
             assert_eq!(line_of(&error).unwrap(), expected);
         }
         let help = Cli::try_parse_from(["asperity", "--help"]).err().unwrap();
@@ -225,9 +230,9 @@ mod tests {
             ("bake --samples 3", "`--samples` must be 1 or even, got 3"),
             (
                 "bake --tileable --lacunarity 2.17",
-                "`--tileable`: `periods[0]` · `lacunarity`^1 must be an integer ",
+                "`--tileable`: `--cells` · `lacunarity`^1 must be an integer ",
             ),
-            ("bake --tileable --noise simplex", "`--tileable`: `periods[0]` must be a multiple of 3, got 8"),
+            ("bake --tileable --noise simplex", "`--tileable`: `--cells` must be a multiple of 3, got 8"),
             ("bake --ndf velvet", "density `velvet`: expected `ggx:AX[,AY]`, "),
             ("bake --fractal periodic --scaling 0.5", "`scaling` must be under 0.447"),
             ("noise --out a.gif", "noise `a.gif`: unsupported file extension (expected .png, .exr or .npy)"),
@@ -237,13 +242,14 @@ mod tests {
             ("noise --tileable --size 100x33", "`--tileable`: 8 cells along 100 samples are 2.64 along 33 ("),
             (
                 "noise --tileable --lacunarity 2.17",
-                "`--tileable`: `periods[0]` · `lacunarity`^1 must be an integer ",
+                "`--tileable`: `--cells` · `lacunarity`^1 must be an integer ",
             ),
             ("fractal --out a.png", "function `a.png`: unsupported file extension ("),
-            ("fractal --knots 0,0", "function: `x` must have at least "),
-            ("fractal --scaling 2", "function: `alpha` of map 1 must be in (-1, 1), got 2"),
+            ("fractal --knots 0,0", "`--knots` must have at least "),
+            ("fractal --scaling 2", "`--scaling` of map 1 must be in (-1, 1), got 2"),
             ("fractal --over 0,4", "`--over` must be within [0, 1], got [0, 4]"),
             ("fractal --system Cargo.toml", "system `Cargo.toml`: "),
+            ("fractal --system nowhere.json", "system `nowhere.json`: cannot read the file: "),
             (
                 "fractal --out a.obj --samples 5000",
                 "`--samples` must be at most 2049 for a surface, got 5000",

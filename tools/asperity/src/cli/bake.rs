@@ -81,7 +81,7 @@ pub struct Bake {
     #[arg(long, value_parser = fraction)]
     pub metallic: Option<f32>,
     /// Random seed.
-    #[arg(long, default_value_t = 1)]
+    #[arg(long, default_value_t = 1, value_parser = whole(0, u32::MAX))]
     pub seed: u32,
     /// Formats, separated by commas.
     #[arg(long, value_delimiter = ',', value_parser = one_of(BAKED_FORMATS), default_value = "png")]

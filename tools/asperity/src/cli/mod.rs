@@ -8,9 +8,10 @@ pub mod render;
 pub mod shader;
 mod value;
 
+use std::ffi::OsString;
 use std::path::PathBuf;
 
-use clap::{Args, Parser, Subcommand};
+use clap::{Args, CommandFactory, Error, FromArgMatches, Parser, Subcommand};
 
 use crate::cli::bake::Bake;
 use crate::cli::fractal::Fractal;
@@ -29,8 +30,27 @@ pub struct Cli {
     #[command(subcommand)]
     pub command: Command,
     /// Number of threads [default: all cores].
-    #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
-    pub jobs: Option<u16>,
+    #[arg(long, global = true, value_name = "N", value_parser = value::whole(1, 1024))]
+    pub jobs: Option<u32>,
+}
+
+impl Cli {
+    /// Parses the words of a command line. A negative number is a value, which the parser of the
+    /// option refuses with the range.
+    ///
+    /// # Errors
+    ///
+    /// If an argument is invalid, or if help is wanted.
+    pub fn of_words(words: impl IntoIterator<Item = impl Into<OsString> + Clone>) -> Result<Self, Error> {
+        fn signed(command: clap::Command) -> clap::Command {
+            let signed_values = |argument: clap::Arg| match argument.get_action().takes_values() {
+                true => argument.allow_negative_numbers(true),
+                false => argument,
+            };
+            command.mut_args(signed_values).mut_subcommands(signed)
+        }
+        Self::from_arg_matches(&signed(Self::command()).try_get_matches_from(words)?)
+    }
 }
 
 /// The commands.
@@ -140,7 +160,7 @@ pub struct CheckNdf {
     #[command(flatten)]
     pub images: Images,
     /// Random seed.
-    #[arg(long, default_value_t = 0)]
+    #[arg(long, default_value_t = 0, value_parser = value::whole(0, u32::MAX))]
     pub seed: u32,
 }
 

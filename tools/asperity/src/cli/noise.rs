@@ -45,7 +45,7 @@ pub struct Noise {
     #[arg(long)]
     pub tileable: bool,
     /// Random seed.
-    #[arg(long, default_value_t = 1)]
+    #[arg(long, default_value_t = 1, value_parser = whole(0, u32::MAX))]
     pub seed: u32,
     /// Also write the gradient, per lattice cell; .exr or .npy.
     #[arg(long)]

@@ -118,14 +118,14 @@ pub struct Render {
     #[arg(long, value_parser = share)]
     pub noise: Option<f32>,
     /// Random seed.
-    #[arg(long, default_value_t = 1)]
+    #[arg(long, default_value_t = 1, value_parser = whole(0, u32::MAX))]
     pub seed: u32,
     /// Output file; its extension selects the format: .png, .jpg, .webp or .exr. With --frames, `#`
     /// characters in the name are replaced by the frame number.
     #[arg(long, value_name = "FILE", default_value = "render.png")]
     pub out: PathBuf,
     /// Number of frames: an orbit around the subject, or a zoom with --zoom-to.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    #[arg(long, value_name = "N", value_parser = whole(1, 1_000_000))]
     pub frames: Option<u32>,
     /// Render only these frames, counted from 1.
     #[arg(long, value_name = "N|N-N", requires = "frames", value_parser = numbers)]

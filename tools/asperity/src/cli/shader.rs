@@ -4,6 +4,8 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 
+use crate::cli::value::whole;
+
 /// Options of `shader`.
 #[derive(Debug, Args)]
 pub struct Shader {
@@ -18,7 +20,7 @@ pub struct Shader {
     #[arg(long, value_enum, default_value_t)]
     pub tables: Tables,
     /// Bind group of the resources.
-    #[arg(long, default_value_t = 0, value_parser = clap::value_parser!(u32).range(0..=3))]
+    #[arg(long, default_value_t = 0, value_parser = whole(0, 3))]
     pub group: u32,
     /// Output file [default: standard output; SPIR-V needs a file].
     #[arg(long, value_name = "FILE", requires = "parts")]

@@ -99,7 +99,13 @@ fn system(wanted: &Fractal) -> Result<System> {
         Some(&[scaling]) => vec![scaling; maps],
         Some(each) => each.to_vec(),
     };
-    let affine = Fif::<2>::affine(&x, &y, &scaling).map_err(|error| format!("function: {error}"))?;
+    let affine = Fif::<2>::affine(&x, &y, &scaling).map_err(|error| {
+        error
+            .to_string()
+            .replace("`x`", "`--knots`")
+            .replace("`y`", "`--knots`")
+            .replace("`alpha`", "`--scaling`")
+    })?;
     let q: Vec<[f64; COEFFICIENTS]> = affine.pieces().iter().map(|piece| padded(piece.map())).collect();
     let name =
         if wanted.knots.is_none() && wanted.scaling.is_none() { "of Takagi" } else { "through the knots" };

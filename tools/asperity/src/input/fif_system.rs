@@ -63,7 +63,8 @@ impl System {
     pub fn read(path: &Path) -> Result<Self, Failure> {
         let name = path.file_stem().map_or_else(|| "system".into(), |stem| stem.to_string_lossy());
         let read = || -> Result<Self, Failure> {
-            let bytes = input_file::read(path, MOST_BYTES)?;
+            let bytes = input_file::read(path, MOST_BYTES)
+                .map_err(|error| format!("cannot read the file: {error}"))?;
             Self::parse(std::str::from_utf8(&input_file::utf8(&bytes))?, &name)
         };
         read().map_err(|error| format!("system `{}`: {error}", path.display()).into())

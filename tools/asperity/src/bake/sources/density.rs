@@ -15,6 +15,7 @@ use crate::bake::source::{Row, Source, Varies};
 use crate::bake::sources::finish::Finish;
 use crate::bake::texel::Texel;
 use crate::failure::Result;
+use crate::fields::tile_error;
 
 /// Parameters of the bumps.
 pub(crate) struct Parameters {
@@ -58,7 +59,7 @@ impl Bumps {
         let sum = Fbm::new(noise, spectrum);
         let channels = if parameters.tileable {
             let tiled = sum.tiled([parameters.cells; 2]);
-            Channels::Tiled(tiled.map_err(|error| format!("`--tileable`: {error}"))?)
+            Channels::Tiled(tiled.map_err(|error| tile_error(&error))?)
         } else {
             Channels::Turned(sum)
         };

@@ -10,7 +10,7 @@ use crate::bake::sources::finish::Finish;
 use crate::bake::texel::Texel;
 use crate::cli::noise::{NoiseKind, Sum};
 use crate::failure::Result;
-use crate::fields::{Chosen, Octaves};
+use crate::fields::{Chosen, Octaves, tile_error};
 
 /// Parameters of the height field.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -47,7 +47,7 @@ impl Noise {
             seed,
         };
         let field = match tileable {
-            true => octaves.field(Some([cells; 2])).map_err(|error| format!("`--tileable`: {error}"))?,
+            true => octaves.field(Some([cells; 2])).map_err(|error| tile_error(&error))?,
             false => octaves.field(None)?,
         };
         Ok(Self { parameters, finish, field })
