@@ -53,6 +53,7 @@ pub fn filter(wanted: &Filter, interrupted: &AtomicBool) -> Result<Summary> {
     let mut files = Files::new(wanted)?;
     let gltf = Container::open(&wanted.model).map_err(named)?;
     nodes::check(gltf.list("nodes")).map_err(named)?;
+    files.check()?;
     let mut edits = Edits::new(&gltf);
     let mut materials = Materials::new(&gltf, wanted);
     let bar = progress::bar("filter");

@@ -57,6 +57,12 @@ impl Files {
         })
     }
 
+    /// Returns an error if nothing can be written, before all work.
+    pub(super) fn check(&self) -> Result<()> {
+        Output::new(&self.folder)?;
+        Ok(())
+    }
+
     /// Adds a file next to the model.
     pub(super) fn add(&mut self, name: String, bytes: Vec<u8>) {
         self.files.push((name, bytes));

@@ -531,6 +531,10 @@ fn interrupted_run_leaves_no_file() {
     let folder = tempfile::tempdir().unwrap();
     let [model, out] = ["in.glb", "out.glb"].map(|name| folder.path().join(name));
     fs::write(&model, glb(&[stripes()], SLOPED)).unwrap();
-    let error = filter(&options(&model, &out), &AtomicBool::new(true)).unwrap_err();
+    let interrupted = AtomicBool::new(true);
+    let error = filter(&options(&model, &out), &interrupted).unwrap_err();
     assert!(error.is::<Interrupted>() && !out.exists());
+    // Where nothing can be written, nothing is computed.
+    let error = filter(&options(&model, &model.join("out.glb")), &interrupted).unwrap_err();
+    assert!(error.to_string().starts_with("cannot write "), "{error}");
 }
