@@ -95,7 +95,7 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
         panels.push(Panel::new(format!("{stem}-motion"), format!("{name}, over time"), alt, image));
     }
     let skies = [
-        ("sky-smooth", "a sky, no flakes", Drawing::Smooth, 32),
+        ("sky-smooth", "a sky, no flakes", Drawing::Smooth, 512),
         ("sky-flakes", "a sky, 8 samples of the flakes", Drawing::Flakes, 8),
         ("sky-ndf", "a sky, 8 samples of the NDF", Drawing::Ndf, 8),
         ("sky-many", "a sky, 32 samples of the flakes", Drawing::Flakes, 32),
