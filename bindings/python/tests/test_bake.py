@@ -59,7 +59,7 @@ def test_a_surface_without_height():
     [
         ({"size": 1000}, "`--size` must be a power of two and at least 64, got 1000"),
         ({"noise": "velvet"}, "invalid value 'velvet' for '--noise"),
-        ({"tileable": True, "lacunarity": 2.17}, "`--tileable`: `periods"),
+        ({"tileable": True, "lacunarity": 2.17}, "`--tileable`: `--cells`"),
         ({"noise": "perlin", "ndf": "ggx:0.3"}, "cannot be used with"),
     ],
 )
