@@ -4,6 +4,7 @@ use std::io::Write;
 use std::sync::atomic::AtomicBool;
 
 use clap::error::ErrorKind;
+use rayon::ThreadPoolBuilder;
 
 pub use crate::bake::arrays::Array;
 use crate::cli::{Cli, Command};
@@ -30,12 +31,13 @@ pub fn run(invocation: &Invocation, interrupted: &AtomicBool) -> u8 {
             }
         },
     };
-    if let Some(jobs) = cli.jobs
-        && let Err(error) = rayon::ThreadPoolBuilder::new().num_threads(jobs as usize).build_global()
-    {
-        return fail(&error.to_string(), 1);
-    }
-    match perform(cli.command, invocation, interrupted) {
+    let done = match cli.jobs.map(|jobs| ThreadPoolBuilder::new().num_threads(jobs as usize).build()) {
+        None => perform(cli.command, invocation, interrupted),
+        // A host, such as Python, has its own pool.
+        Some(Ok(pool)) => pool.install(|| perform(cli.command, invocation, interrupted)),
+        Some(Err(error)) => Err(error.into()),
+    };
+    match done {
         Ok(()) => 0,
         Err(error) => fail(&error.to_string(), 1),
     }
