@@ -14,7 +14,7 @@ type Map<'py> = (&'static str, usize, usize, Flat<'py>);
 #[pyfunction]
 pub(crate) fn bake(py: Python<'_>, options: Vec<String>) -> PyResult<Vec<Map<'_>>> {
     let baked =
-        parallel::on_all_cores(py, |stop| bake_arrays(&options, stop).map_err(|error| error.to_string()));
+        parallel::with_signals(py, |stop| bake_arrays(&options, stop).map_err(|error| error.to_string()));
     let maps = parallel::unless_signal(baked)?.map_err(value_error)?.into_iter();
     Ok(maps
         .map(|Array { name, side, channels, numbers }| (name, side, channels, numbers.into_pyarray(py)))

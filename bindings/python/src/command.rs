@@ -14,7 +14,7 @@ use crate::parallel;
 #[pyfunction]
 pub(crate) fn run(py: Python<'_>, words: Vec<OsString>, command: PathBuf, binary: PathBuf) -> PyResult<u8> {
     let invocation = Invocation { words, command, binary };
-    let (code, signal) = parallel::on_all_cores(py, |stop| asperity::program::run(&invocation, stop));
+    let (code, signal) = parallel::with_signals(py, |stop| asperity::program::run(&invocation, stop));
     match code {
         Some(code) => Ok(code),
         None => Err(signal.unwrap_or_else(parallel::panicked)),

@@ -32,7 +32,7 @@ pub(crate) fn filter(
         _ => return Err(value_error(format!("`format` must be uastc or zstd, got `{format}`"))),
     };
     let wanted = Filter { model, out, format, anisotropy, png, report };
-    let filtered = parallel::on_all_cores(py, |stop| {
+    let filtered = parallel::with_signals(py, |stop| {
         asperity::filter::filter(&wanted, stop).map_err(|error| error.to_string())
     });
     let Summary { materials, files } = parallel::unless_signal(filtered)?.map_err(value_error)?;

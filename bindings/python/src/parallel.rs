@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 use std::num::NonZero;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{self, RecvTimeoutError};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -77,7 +78,7 @@ pub(crate) fn for_each<T: Send>(
     })
 }
 
-/// Runs work on another thread with the GIL released, and returns the exception of a signal handler
+/// Runs work as [`with_signals`] does, and returns the exception of a signal handler
 /// in place of its result.
 pub(crate) fn until_signal<R: Send>(
     py: Python<'_>,
@@ -95,51 +96,47 @@ pub(crate) fn unless_signal<R>(outcome: (Option<R>, Option<PyErr>)) -> PyResult<
     }
 }
 
-/// Runs work on the threads of this process, as [`with_signals`] does.
+/// Runs work on a thread of the pool of all cores with the GIL released, and sets its flag at a
+/// signal.
 ///
-/// The threads of rayon's global pool do not survive a fork.
-pub(crate) fn on_all_cores<R: Send>(
-    py: Python<'_>,
-    work: impl FnOnce(&AtomicBool) -> R + Send,
-) -> (Option<R>, Option<PyErr>) {
-    match count(None).and_then(pool) {
-        Ok(pool) => with_signals(py, |stop| pool.install(|| work(stop))),
-        Err(error) => (None, Some(error)),
-    }
-}
-
-/// Runs work on another thread with the GIL released, and sets its flag at a signal.
+/// A new thread would take longer than the values of 20,000 points. The threads of rayon's global
+/// pool do not survive a fork.
 ///
-/// The result is `None` if the thread panicked.
-#[expect(clippy::redundant_closure_for_method_calls, reason = "the method is not general enough")]
+/// The result is `None` if the work panicked.
 pub(crate) fn with_signals<R: Send>(
     py: Python<'_>,
     work: impl FnOnce(&AtomicBool) -> R + Send,
 ) -> (Option<R>, Option<PyErr>) {
+    let pool = match count(None).and_then(pool) {
+        Ok(pool) => pool,
+        Err(error) => return (None, Some(error)),
+    };
     let stop = AtomicBool::new(false);
     py.detach(|| {
-        thread::scope(|scope| {
-            let (done, finished) = mpsc::channel::<()>();
+        let (mut result, mut signal) = (None, None);
+        pool.in_place_scope(|scope| {
+            let (done, finished) = mpsc::channel();
             let stop = &stop;
-            let spawned = thread::Builder::new().stack_size(STACK).spawn_scoped(scope, move || {
-                let _done = done;
-                work(stop)
-            });
-            let worker = match spawned {
-                Ok(worker) => worker,
-                Err(error) => return (None, Some(PyOSError::new_err(error.to_string()))),
-            };
-            let mut signal = None;
-            while let Err(RecvTimeoutError::Timeout) = finished.recv_timeout(PERIOD) {
-                if signal.is_none()
-                    && let Err(error) = Python::attach(|py| py.check_signals())
-                {
-                    stop.store(true, Ordering::Relaxed);
-                    signal = Some(error);
+            scope.spawn(move |_| {
+                if let Ok(result) = catch_unwind(AssertUnwindSafe(|| work(stop))) {
+                    let _ = done.send(result);
                 }
-            }
-            (worker.join().ok(), signal)
-        })
+            });
+            result = loop {
+                match finished.recv_timeout(PERIOD) {
+                    Ok(result) => break Some(result),
+                    Err(RecvTimeoutError::Disconnected) => break None,
+                    Err(RecvTimeoutError::Timeout) if signal.is_none() => {
+                        if let Err(error) = Python::attach(|py| py.check_signals()) {
+                            stop.store(true, Ordering::Relaxed);
+                            signal = Some(error);
+                        }
+                    }
+                    Err(RecvTimeoutError::Timeout) => {}
+                }
+            };
+        });
+        (result, signal)
     })
 }
 
