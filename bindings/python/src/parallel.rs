@@ -103,6 +103,7 @@ pub(crate) fn unless_signal<R>(outcome: (Option<R>, Option<PyErr>)) -> PyResult<
 /// pool do not survive a fork.
 ///
 /// The result is `None` if the work panicked.
+#[expect(clippy::redundant_closure_for_method_calls, reason = "the method is not general enough")]
 pub(crate) fn with_signals<R: Send>(
     py: Python<'_>,
     work: impl FnOnce(&AtomicBool) -> R + Send,
