@@ -16,6 +16,7 @@ use exr::prelude::{Encoding, Image as EncodedImage, SpecificChannels, Vec2, Writ
 use glam::Vec3;
 use image_webp::WebPEncoder;
 use png::{BitDepth, ColorType, Encoder, SrgbRenderingIntent};
+use rayon::prelude::*;
 
 use crate::{
     failure::Failure,
@@ -55,9 +56,11 @@ pub struct Image {
 
 impl Image {
     /// Creates the image whose pixel in column `x` and row `y` is `f(x, y)`.
-    pub fn from_fn(width: u32, height: u32, mut f: impl FnMut(u32, u32) -> Vec3) -> Self {
-        let pixels =
-            (0..height).flat_map(|y| (0..width).map(move |x| (x, y))).map(|(x, y)| f(x, y)).collect();
+    ///
+    /// Rows are computed on all cores.
+    pub fn from_fn(width: u32, height: u32, f: impl Fn(u32, u32) -> Vec3 + Sync) -> Self {
+        let row = |y| (0..width).map(|x| f(x, y)).collect::<Vec<_>>();
+        let pixels = (0..height).into_par_iter().flat_map_iter(row).collect();
         Self { width, height, pixels }
     }
 

@@ -38,7 +38,7 @@ pub(crate) fn draw(context: &Context<'_>) -> Result<Drawn> {
     }
     let top = spreads.iter().fold(0.0_f64, |top, x| top.max(*x));
     let (low, high) = points.iter().fold((f64::MAX, f64::MIN), |(l, h), x| (l.min(*x), h.max(*x)));
-    let picture = |values: &[f64], color: &dyn Fn(f64) -> Vec3| {
+    let picture = |values: &[f64], color: &(dyn Fn(f64) -> Vec3 + Sync)| {
         let scale = (context.size / SIDE).max(1);
         Image::from_fn(SIDE * scale, SIDE * scale, |x, y| {
             color(values[((y / scale) * SIDE + x / scale) as usize])

@@ -67,7 +67,7 @@ impl Window {
     }
 
     /// Renders a panel of the window, one color per pixel.
-    pub(super) fn panel(&self, [stem, label, alt]: [&str; 3], color: impl Fn(usize) -> Vec3) -> Panel {
+    pub(super) fn panel(&self, [stem, label, alt]: [&str; 3], color: impl Fn(usize) -> Vec3 + Sync) -> Panel {
         let side = self.side as u32;
         Panel::new(stem, label, alt, Image::from_fn(side, side, |x, y| color((y * side + x) as usize)))
     }
