@@ -111,7 +111,7 @@ fn perform(command: Command, invocation: &Invocation, interrupted: &AtomicBool) 
 mod tests {
     use std::{fs, path::Path};
 
-    use clap::{CommandFactory, Parser};
+    use clap::CommandFactory;
 
     use super::*;
 
@@ -158,7 +158,7 @@ mod tests {
             let error = Cli::of_words(["asperity"].into_iter().chain(line.split(' '))).err().unwrap();
             assert_eq!(line_of(&error).unwrap(), expected);
         }
-        let help = Cli::try_parse_from(["asperity", "--help"]).err().unwrap();
+        let help = Cli::of_words(["asperity", "--help"]).err().unwrap();
         assert_eq!(line_of(&help), None);
     }
 
@@ -181,7 +181,7 @@ mod tests {
             let page = fs::read_to_string(&path).unwrap();
             for line in page.lines().filter_map(|line| line.strip_prefix("asperity ")) {
                 let words = words(line.split('#').next().unwrap());
-                let parsed = Cli::try_parse_from(["asperity".to_owned()].into_iter().chain(words));
+                let parsed = Cli::of_words(["asperity".to_owned()].into_iter().chain(words));
                 assert!(parsed.is_ok(), "{}: {line}: {}", path.display(), parsed.unwrap_err());
                 commands += 1;
             }
@@ -261,7 +261,7 @@ mod tests {
         ];
         let invocation = Invocation::of_process();
         for (line, said) in refused {
-            let cli = Cli::try_parse_from(["asperity"].into_iter().chain(line.split(' '))).unwrap();
+            let cli = Cli::of_words(["asperity"].into_iter().chain(line.split(' '))).unwrap();
             let error = perform(cli.command, &invocation, &AtomicBool::new(false)).unwrap_err().to_string();
             assert!(error.starts_with(said) && error.lines().count() == 1, "{line}: {error}");
         }

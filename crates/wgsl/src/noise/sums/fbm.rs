@@ -4,10 +4,10 @@
 /// The length of a template with its placeholders replaced.
 pub(crate) const fn size(template: &str, words: &[(u8, &str)]) -> usize {
     let (text, mut size) = (template.as_bytes(), template.len());
-    let mut i = plain(text, 0, words);
+    let mut i = placeholder(text, 0, words);
     while i < text.len() {
         size = size - 1 + word(text[i], words).len();
-        i = plain(text, i + 1, words);
+        i = placeholder(text, i + 1, words);
     }
     size
 }
@@ -17,52 +17,47 @@ pub(crate) const fn filled<const N: usize>(template: &str, words: &[(u8, &str)])
     let (text, mut out, mut i) = (template.as_bytes(), [0; N], 0);
     let mut rest: &mut [u8] = &mut out;
     while i < text.len() {
-        let end = plain(text, i, words);
-        let part = text.split_at(end).0.split_at(i).1;
-        let (place, after) = rest.split_at_mut(part.len());
-        place.copy_from_slice(part);
-        rest = after;
+        let end = placeholder(text, i, words);
+        rest = put(rest, text.split_at(end).0.split_at(i).1);
         if end < text.len() {
-            let word = word(text[end], words).as_bytes();
-            let (place, after) = rest.split_at_mut(word.len());
-            place.copy_from_slice(word);
-            rest = after;
+            rest = put(rest, word(text[end], words).as_bytes());
         }
         i = end + 1;
     }
     out
 }
 
+/// Writes bytes, and returns the space after them.
+const fn put<'a>(space: &'a mut [u8], bytes: &[u8]) -> &'a mut [u8] {
+    let (place, rest) = space.split_at_mut(bytes.len());
+    place.copy_from_slice(bytes);
+    rest
+}
+
 /// The index of the first placeholder from `i` on.
-const fn plain(text: &[u8], mut i: usize, words: &[(u8, &str)]) -> usize {
-    while i < text.len() {
-        // Compilers run this loop slowly, so that most bytes are compared once.
-        if !matches!(text[i], b'a'..=b'z' | b' ' | b'0'..=b'9' | b'\n') && is_mark(text[i], words) {
-            return i;
-        }
+const fn placeholder(text: &[u8], mut i: usize, words: &[(u8, &str)]) -> usize {
+    // Compilers run this loop slowly, so that most bytes are compared once.
+    while i < text.len()
+        && (matches!(text[i], b'a'..=b'z' | b' ' | b'0'..=b'9' | b'\n')
+            || index(text[i], words) == words.len())
+    {
         i += 1;
     }
     i
 }
 
-const fn is_mark(byte: u8, words: &[(u8, &str)]) -> bool {
-    let mut k = 0;
-    while k < words.len() {
-        if words[k].0 == byte {
-            return true;
-        }
-        k += 1;
-    }
-    false
-}
-
 /// The word for a placeholder.
 const fn word<'a>(mark: u8, words: &[(u8, &'a str)]) -> &'a str {
+    words[index(mark, words)].1
+}
+
+/// The index of a placeholder; the number of words if the byte is none.
+const fn index(mark: u8, words: &[(u8, &str)]) -> usize {
     let mut k = 0;
-    while words[k].0 != mark {
+    while k < words.len() && words[k].0 != mark {
         k += 1;
     }
-    words[k].1
+    k
 }
 
 /// A part from a template: `#` is the dimension, `~` describes it, `@` and `%` are the cell and the
